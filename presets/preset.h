@@ -1,0 +1,51 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+
+#include "presets/transfer_function.h"
+
+namespace crest {
+
+/// Which contributions a ray collects (Knoll et al. 2009, section 4.3).
+enum class Mode { both, peak_xor_dvr, peak_only, dvr_only };
+/// How a step that holds crossings is integrated: as published, or divided at its crossings.
+enum class PeakForm { split, paper };
+enum class Engine { raycaster };
+enum class Shading { none, gradient };
+
+/// How a picture is made. Every field is one of the preset's JSON fields under "rendering".
+struct Rendering {
+  Mode mode = Mode::both;
+  PeakForm peak_form = PeakForm::split;
+  Engine engine = Engine::raycaster;
+  double step = 0.5;    ///< > 0, in units of the smallest spacing
+  int max_peaks = 4;    ///< most crossings that one step composites, 1..64
+  int peak_bins = 128;  ///< bins of the peak table on each axis, 1..4096
+  Shading shading = Shading::none;
+  double early_termination = 0;  ///< residual transmittance at which a ray stops; 0 = never
+  glm::dvec3 background{0};      ///< display-referred RGB in [0, 1]
+  std::string unknown;
+  bool operator==(const Rendering&) const = default;
+};
+
+/// A pinhole camera. The ray of a pixel goes through the pixel's centre; row 0 is at the top.
+struct Camera {
+  glm::dvec3 eye{0, 0, 0}, target{0, 0, 1}, up{0, 1, 0};  ///< world units
+  double fov_y_degrees = 30;                              ///< in (0, 180)
+  std::string unknown;
+  bool operator==(const Camera&) const = default;
+};
+
+/// All that a person saves.
+struct Preset {
+  std::string name, notes;
+  TransferFunction transfer_function;
+  Rendering rendering;
+  std::optional<Camera> camera;  ///< without one, the whole volume is in view
+  std::string unknown;
+  bool operator==(const Preset&) const = default;
+};
+
+}  // namespace crest

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "presets/transfer_function.h"
+#include "render/classify/peaks.h"
+
+namespace crest {
+
+/// The peak lookup table (Knoll et al. 2009, section 4.1): for a segment that enters at one value and exits
+/// at another, the peaks that it may cross. Peaks are sorted by value, so the candidates of a cell are a run
+/// of them, met first to last when the value rises and last to first when it falls. A run has any length:
+/// none is lost.
+struct PeakTable {
+  /// A run of peaks that a cell's segments may cross; count 0 is the flag value "no peak".
+  struct Cell {
+    std::uint16_t first = 0, count = 0;
+    bool operator==(const Cell&) const = default;
+  };
+  int bins = 0;             ///< on each axis, at least 1
+  ValueRange range;         ///< of the field; values beyond count to the end bins
+  std::vector<Cell> cells;  ///< bins*bins, entry bin fastest
+
+  const Cell& cell(int entry_bin, int exit_bin) const {
+    return cells[std::size_t(exit_bin) * std::size_t(bins) + std::size_t(entry_bin)];
+  }
+  int bin_of(double value) const;
+  int largest_count() const;  ///< candidates in the fullest cell
+};
+
+/// Most peaks that are listed for one cell.
+inline constexpr int peaks_per_cell = 4;
+
+/// Builds the table in O(bins^2). `peaks` are the shown ones, by ascending value. Cells of equal bins count
+/// their peaks too.
+PeakTable build_peak_table(std::span<const Peak> peaks, ValueRange range, int bins);
+
+/// The peaks of a cell, as indices in the order in which they are met: at most `peaks_per_cell`, then -1, the
+/// flag.
+std::array<int, peaks_per_cell> peaks_met(const PeakTable& table, int entry_bin, int exit_bin);
+
+}  // namespace crest

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "presets/transfer_function.h"
+
+namespace crest {
+
+/// A regular grid. Point (i,j,k) is at origin + spacing*(i,j,k); the box runs from the first to the last
+/// point.
+struct Grid {
+  glm::ivec3 dims{2};     ///< points on each axis, at least 2
+  glm::dvec3 spacing{1};  ///< > 0, world units
+  glm::dvec3 origin{0};
+
+  std::size_t point_count() const { return std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(dims.z); }
+  double smallest_spacing() const;
+  glm::dvec3 box_min() const { return origin; }
+  glm::dvec3 box_max() const { return origin + box_size(); }
+  glm::dvec3 box_size() const { return spacing * glm::dvec3(dims - 1); }
+  bool operator==(const Grid&) const = default;
+};
+
+enum class ScalarType { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
+std::size_t size_of(ScalarType type);
+const char* name_of(ScalarType type);  ///< "uint8" ... "float64"
+
+/// What the finite voxels of a volume hold.
+struct VolumeStatistics {
+  ValueRange range{0, 0};  ///< of the finite voxels; {0, 0} when there is none
+  double mean = 0, variance = 0;
+  std::size_t nan_count = 0, inf_count = 0;
+  std::vector<std::uint64_t> histogram;  ///< equal bins over the range, the last one closed
+};
+
+/// A scalar field on a grid, x fastest. Its values are float32 (doubles are rounded once, on load).
+struct Volume {
+  Grid grid;
+  std::vector<float> values;
+  VolumeStatistics statistics;
+  ScalarType file_type = ScalarType::float32;
+  glm::dmat3 direction{1};  ///< the file's direction cosines, as columns: kept and shown, not applied
+  std::string name;         ///< short, for titles
+  std::string note;         ///< what reading it took, e.g. "first of 3 components"; or empty
+
+  float at(int i, int j, int k) const {
+    return values[std::size_t(i) +
+                  std::size_t(grid.dims.x) * (std::size_t(j) + std::size_t(grid.dims.y) * std::size_t(k))];
+  }
+  bool has_empty_cells() const { return statistics.nan_count + statistics.inf_count > 0; }
+};
+
+/// Histogram bins that a volume carries with it.
+inline constexpr int histogram_bins = 1024;
+
+VolumeStatistics compute_statistics(const std::vector<float>& values, int bins = histogram_bins);
+
+/// Counts of the finite values within `range` (closed), in equal bins: for a histogram zoomed further in.
+std::vector<std::uint64_t> histogram_of(const std::vector<float>& values, ValueRange range, int bins);
+
+}  // namespace crest

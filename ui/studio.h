@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/classify/peak_table.h"
+#include "render/classify/peaks.h"
+#include "render/volume/volume.h"
+#include "ui/document.h"
+
+namespace crest {
+
+inline constexpr int view_count = 4;
+/// The modes of the 2x2 grid, left to right, top to bottom.
+inline constexpr std::array<Mode, view_count> view_modes{Mode::dvr_only, Mode::peak_only, Mode::peak_xor_dvr,
+                                                         Mode::both};
+
+/// A view's picture, as the program last drew it.
+struct ViewPicture {
+  std::uintptr_t texture = 0;  ///< an ImTextureID, row 0 at the top; 0 while there is none
+  int coarseness = 1;          ///< 1 at full resolution, 4 when every fourth pixel was cast
+  double progress = 1;         ///< share of the full-resolution picture that is done
+  double frame_ms = 0;         ///< of the last full-resolution picture; 0 while there is none
+  double samples_per_ray = 0, dvr_samples_per_ray = 0;  ///< 0 while not counted
+};
+
+/// What the program tells the panels: results, read only.
+struct StudioInputs {
+  const Volume* volume = nullptr;    ///< null while none is open
+  TransferFunction resolved;         ///< the document's TF in the volume's units
+  std::span<const Peak> peaks;       ///< of `resolved`
+  const PeakTable* table = nullptr;  ///< of the shown peaks; null while there is no volume
+  std::uintptr_t table_texture = 0;  ///< table_picture() of it, as an ImTextureID
+  std::array<ViewPicture, view_count> views;
+  Camera camera;        ///< in force: the preset's, or the one that shows the whole volume
+  std::string message;  ///< the last news or error, one line
+  bool message_is_error = false;
+  std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
+  std::string performance;          ///< e.g. frame times, for the status bar
+};
+
+/// What the person asked for in this frame, other than changes of the document.
+struct StudioRequests {
+  std::optional<std::string> open_volume;
+  std::optional<std::string> open_preset;  ///< a file, or a name from the library
+  std::optional<std::filesystem::path> save_preset;
+  std::array<glm::ivec2, view_count>
+      view_pixels{};  ///< size to draw each view at; (0, 0) = it is not visible
+  bool quit = false;
+  bool reload_shaders = false;
+};
+
+struct StudioState;  ///< selection, zoom, open dialogs, undo history: what is not in the document
+
+struct StudioStateDeleter {
+  void operator()(StudioState*) const;
+};
+using StudioStatePtr = std::unique_ptr<StudioState, StudioStateDeleter>;
+StudioStatePtr make_studio_state();
+
+/// Draws the whole window with Dear ImGui, between NewFrame and Render. Changes `document` as the person
+/// edits it, and keeps the undo history of it.
+StudioRequests studio_frame(Document& document, StudioState& state, const StudioInputs& inputs);
+
+/// An image of RGBA bytes, row 0 at the top.
+struct Picture8 {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// The peak table as a picture: entry value across, exit value up, a cell in its first peak's colour.
+Picture8 table_picture(const PeakTable& table, std::span<const Peak> shown);
+
+}  // namespace crest
