@@ -27,19 +27,28 @@ struct PeakTable {
   const Cell& cell(int entry_bin, int exit_bin) const {
     return cells[std::size_t(exit_bin) * std::size_t(bins) + std::size_t(entry_bin)];
   }
+  /// The bin of a field value, in float32 as the shader reckons it:
+  /// clamp(int((value - float(range.min)) * bin_scale()), 0, bins - 1).
   int bin_of(double value) const;
+  /// float(bins / width): finite, also for a range of no width, which counts as 1.
+  float bin_scale() const;
   int largest_count() const;  ///< candidates in the fullest cell
 };
 
 /// Most peaks that are listed for one cell.
 inline constexpr int peaks_per_cell = 4;
 
+/// Most bins on an axis: a table of 64 MB.
+inline constexpr int largest_bins = 4096;
+
 /// Builds the table in O(bins^2). `peaks` are the shown ones, by ascending value. Cells of equal bins count
-/// their peaks too.
+/// their peaks too. A peak is in the cell of every two float32 field values with its own float32 value
+/// between or at them, however the shader's arithmetic rounds. No field value lies outside `range`, so peaks
+/// that do are in no cell. Throws Error for more than 65535 peaks, or bins outside 1..largest_bins.
 PeakTable build_peak_table(std::span<const Peak> peaks, ValueRange range, int bins);
 
 /// The peaks of a cell, as indices in the order in which they are met: at most `peaks_per_cell`, then -1, the
-/// flag.
+/// flag. Ascending also where the bins are equal: there the shader knows the order by the values' own.
 std::array<int, peaks_per_cell> peaks_met(const PeakTable& table, int entry_bin, int exit_bin);
 
 }  // namespace crest
