@@ -49,7 +49,7 @@ float sample_at(Sampling s, int i) {
 // is isolated and no value of the field is evaluated twice.
 int interval_total(Sampling s) { return s.n + 1; }
 #include "march_peaks.glsl"
-#else
+#elif DVR
 int interval_total(Sampling s) { return s.n; }
 
 void march(Ray ray, Sampling s, int first, int last) {
@@ -61,6 +61,9 @@ void march(Ray ray, Sampling s, int first, int last) {
     if (TERMINATED) break;
   }
 }
+#else
+int interval_total(Sampling s) { return 0; }
+void march(Ray ray, Sampling s, int first, int last) {}
 #endif
 
 // Renders the intervals [first_interval, first_interval + interval_count) of those before `index` and after.
