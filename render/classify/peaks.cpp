@@ -47,9 +47,11 @@ std::vector<Run> corners_of(const Points& points, const std::vector<Run>& runs) 
   std::vector<Run> corners;
   for (const Run& run : runs) {
     while (corners.size() >= 2) {
-      const Run before = corners[corners.size() - 2], middle = corners.back();
-      if (width_of(points, middle) > 0 ||
-          !on_line(points[before.last], points[middle.first], points[run.first]))
+      const ControlPoint& before = points[corners[corners.size() - 2].last];
+      const Run middle = corners.back();
+      // Both ends: on a gentle slope, points side by side may round to the same opacity.
+      if (!on_line(before, points[middle.first], points[run.first]) ||
+          !on_line(before, points[middle.last], points[run.first]))
         break;
       corners.pop_back();
     }
