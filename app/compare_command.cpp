@@ -47,7 +47,7 @@ void compare_modes(const CompareOptions& options) {
   for (const Mode mode : view_modes) {
     scenes.push_back(make_scene(volume, preset));
     scenes.back().rendering.mode = mode;
-    labels.push_back(name_of(mode));
+    labels.emplace_back(name_of(mode));
   }
 
   const OffscreenContext context(options.picture.device);
