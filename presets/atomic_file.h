@@ -2,12 +2,14 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace crest {
 
 /// Writes `content` beside `path` and renames it there, so that the file appears whole or not at all; what
-/// stood there stays until then. Throws Error when that fails (no folder, no permission, a full disk).
+/// stood there stays until then, and its permissions are kept. A symbolic link is followed; a device or a
+/// pipe is written to as it is. Throws Error when that fails (no folder, no permission, a full disk).
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// The same for writers that want a file name of their own: `write` fills the temporary file (which has the

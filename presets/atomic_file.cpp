@@ -1,0 +1,161 @@
+#include "presets/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <utility>
+
+#include "presets/error.h"
+
+namespace crest {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void fail_writing(const fs::path& path, int error) {
+  const bool no_folder = error == ENOENT || error == ENOTDIR;
+  throw Error(fmt::format("cannot write {}: {}", path.string(),
+                          no_folder ? "its folder does not exist" : std::strerror(error)));
+}
+
+/// An open file, and the checks of each call on it. Errors name `path`, which the person knows.
+class File {
+ public:
+  File(const fs::path& name, int flags, const fs::path& path)
+      : known_as(path), fd(::open(name.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (fd < 0) fail_writing(known_as, errno);
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  ~File() {
+    if (fd >= 0) ::close(fd);
+  }
+
+  void write(std::string_view content) {
+    while (!content.empty()) {
+      const ssize_t written = ::write(fd, content.data(), content.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail_writing(known_as, errno);
+      content.remove_prefix(std::size_t(written));
+    }
+  }
+  void set_mode(mode_t mode) {
+    if (::fchmod(fd, mode) != 0) fail_writing(known_as, errno);
+  }
+  void sync() {
+    if (::fsync(fd) != 0 && errno != EINVAL && errno != EROFS) fail_writing(known_as, errno);
+  }
+  void close() {
+    if (::close(std::exchange(fd, -1)) != 0) fail_writing(known_as, errno);
+  }
+
+ private:
+  fs::path known_as;
+  int fd;
+};
+
+/// A new, empty file of its own name in the folder of `target`; removed again unless it is renamed.
+class TemporaryFile {
+ public:
+  TemporaryFile(const fs::path& target, const fs::path& path) : known_as(path) {
+    for (int attempt = 0;; ++attempt) {
+      name = target.parent_path() /
+             fmt::format(".crest-{}-{}{}", ::getpid(), attempt, target.extension().string());
+      const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (fd >= 0) {
+        ::close(fd);
+        return;
+      }
+      if (errno != EEXIST || attempt == 1000) fail_writing(known_as, errno);
+    }
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    if (!name.empty()) ::unlink(name.c_str());
+  }
+
+  const fs::path& path() const { return name; }
+  void rename_to(const fs::path& target) {
+    if (::rename(name.c_str(), target.c_str()) != 0) fail_writing(known_as, errno);
+    name.clear();
+  }
+
+ private:
+  fs::path name, known_as;
+};
+
+/// The file that a symbolic link leads to, though it need not exist.
+fs::path link_target(fs::path path) {
+  std::error_code error;
+  for (int links = 0; links < 40 && fs::is_symlink(path, error); ++links)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  return path;
+}
+
+/// So that the new name too survives a power failure. Not every file system can; the content is safe already.
+void sync_folder(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return;
+  ::fsync(fd);
+  ::close(fd);
+}
+
+}  // namespace
+
+void write_file_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  struct stat existing {};
+  const bool exists = ::stat(path.c_str(), &existing) == 0;
+  if (exists && S_ISDIR(existing.st_mode)) fail_writing(path, EISDIR);
+  if (exists && !S_ISREG(existing.st_mode)) return write(path);  // a pipe or device: nothing to replace
+
+  if (exists && ::access(path.c_str(), W_OK) != 0) fail_writing(path, errno);
+
+  const fs::path target = link_target(path);
+  TemporaryFile temporary(target, path);
+  write(temporary.path());
+  File file(temporary.path(), O_WRONLY, path);
+  if (exists) file.set_mode(existing.st_mode & 07777);
+  file.sync();
+  file.close();
+  temporary.rename_to(target);
+  sync_folder(target);
+}
+
+void write_file_atomically(const fs::path& path, std::string_view content) {
+  write_file_atomically(path, [&](const fs::path& name) {
+    File file(name, O_WRONLY | O_TRUNC, path);
+    file.write(content);
+    file.close();
+  });
+}
+
+std::string read_file(const fs::path& path, std::size_t size_limit) {
+  const auto fail = [&](const std::string& what) {
+    throw Error(fmt::format("cannot read {}: {}", path.string(), what));
+  };
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) fail("it is a folder");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(errno ? std::strerror(errno) : "it cannot be opened");
+
+  std::string content;
+  constexpr std::size_t block = 1 << 16;
+  while (file && content.size() <= size_limit) {
+    const std::size_t before = content.size();
+    content.resize(before + block);
+    file.read(content.data() + before, block);
+    content.resize(before + std::size_t(file.gcount()));
+  }
+  if (file.bad()) fail("an input error");
+  if (content.size() > size_limit) fail(fmt::format("it is larger than {} bytes", size_limit));
+  return content;
+}
+
+}  // namespace crest

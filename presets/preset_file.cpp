@@ -1,0 +1,65 @@
+#include "presets/preset_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "preset_library_embedded.h"
+#include "presets/atomic_file.h"
+#include "presets/error.h"
+#include "presets/preset_json.h"
+
+namespace crest {
+namespace {
+
+constexpr std::size_t largest_preset = 16 << 20;  // bytes: some 200,000 points
+
+std::string library_names() {
+  std::string names;
+  for (const LibraryPreset& preset : library())
+    names += (names.empty() ? "" : ", ") + std::string(preset.name);
+  return names;
+}
+
+}  // namespace
+
+Preset parse_preset(std::string_view text, std::string_view source) {
+  try {
+    if (text.size() > largest_preset)
+      throw Error(fmt::format("{} bytes are more than a preset may have, {}", text.size(), largest_preset));
+    return preset_from_json(parse_json(text));
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", source, error.what()));
+  }
+}
+
+std::string write_preset(const Preset& preset) { return print_json(preset_to_json(preset, Fields::telling)); }
+
+Preset load_preset(const std::string& name_or_path) {
+  std::error_code ignored;
+  if (std::filesystem::exists(name_or_path, ignored))
+    return parse_preset(read_file(name_or_path, largest_preset), name_or_path);
+  for (const LibraryPreset& preset : library())
+    if (preset.name == name_or_path) return parse_preset(preset.text, name_or_path);
+  throw Error(fmt::format("{}: no such file, and no preset of that name in the library, which has: {}",
+                          name_or_path, library_names()));
+}
+
+void save_preset(const std::filesystem::path& path, const Preset& preset) {
+  write_file_atomically(path, write_preset(preset));
+}
+
+std::vector<LibraryPreset> library() {
+  constexpr std::string_view folder = "library/", extension = ".json";
+  std::vector<LibraryPreset> presets;
+  for (const auto& file : preset_library::embedded_files()) {
+    std::string_view name = file.name.substr(folder.size());
+    name.remove_suffix(extension.size());
+    presets.push_back({name, file.text});
+  }
+  std::sort(presets.begin(), presets.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  return presets;
+}
+
+}  // namespace crest

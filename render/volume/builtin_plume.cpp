@@ -1,0 +1,29 @@
+#include <numbers>
+
+#include "render/volume/builtin_fields.h"
+#include "render/volume/gradient_noise.h"
+
+namespace crest {
+
+/// A column that rises along y from a narrow source, widens, sways, and breaks up into eddies: a Gaussian
+/// profile of height-dependent width, in coordinates that noise has moved. The core is smooth; the rim, where
+/// the value has fallen by decades, is all wisps.
+FormulaField plume_field(const PlumeShape& shape, std::uint64_t seed) {
+  const double decades = shape.decades * std::numbers::ln10, turbulence = shape.turbulence;
+  return field_of([=](const auto& p) {
+    using T = std::decay_t<decltype(p.x)>;
+    const T height = (p.y + 1.0) * 0.5;
+    const T width = 0.07 + height * 0.33;
+    // Eddies grow with the column; they are carried upwards, so they are sheared along y.
+    const Point<T> eddy{p.x * 2.2, p.y * 1.6, p.z * 2.2};
+    const T reach = (0.03 + height * 0.27) * turbulence;
+    const T x = p.x + reach * fractal_noise(eddy, 4, seed * 64);
+    const T z = p.z + reach * fractal_noise(eddy, 4, seed * 64 + 16);
+    const T radial = (x * x + z * z) / (width * width);
+    const T wisps = fractal_noise(Point<T>{x * 4.0, p.y * 3.0, z * 4.0}, 3, seed * 64 + 32);
+    const T fall = radial * (1.0 + wisps * 0.8 * turbulence) + height * height * 0.15;
+    return exp(fall * (-decades * 0.25));
+  });
+}
+
+}  // namespace crest

@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+#include <itkGDCMImageIO.h>
+#include <itkGDCMSeriesFileNames.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <ranges>
+
+#include "presets/error.h"
+#include "render/volume/convert.h"
+#include "render/volume/itk_support.h"
+#include "render/volume/memory.h"
+#include "render/volume/readers.h"
+#include "render/volume/voxel_data.h"
+
+namespace crest {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::vector<std::string>;
+
+bool is_dicom(const fs::path& path) {
+  constexpr std::size_t preamble = 128;
+  return fs::is_regular_file(path) &&
+         read_head(path, preamble + 4).substr(std::min(preamble, fs::file_size(path))) == "DICM";
+}
+
+itk::GDCMImageIO::Pointer open(const std::string& file) {
+  const auto io = itk::GDCMImageIO::New();
+  io->SetFileName(file);
+  with_itk(file, [&] { io->ReadImageInformation(); });
+  return io;
+}
+
+glm::dvec3 position_of(const itk::GDCMImageIO& io) {
+  return {io.GetOrigin(0), io.GetOrigin(1), io.GetOrigin(2)};
+}
+
+/// The files of the series that the query names, or of the one with the most, in the order of their
+/// positions.
+Files series_files(const Request& request, std::string& note) {
+  std::map<std::string, Files> all;
+  with_itk(request.name(), [&] {
+    const auto names = itk::GDCMSeriesFileNames::New();
+    names->SetUseSeriesDetails(true);
+    names->SetDirectory(request.name());
+    for (const std::string& series : names->GetSeriesUIDs()) all[series] = names->GetFileNames(series);
+  });
+  if (all.empty()) throw Error(fmt::format("{}: its DICOM files hold no images", request.name()));
+  auto chosen = std::ranges::max_element(all, {}, [](const auto& entry) { return entry.second.size(); });
+  if (const auto asked = request.query.find("series"); asked != request.query.end()) {
+    chosen = all.find(asked->second);
+    if (chosen == all.end()) {
+      throw Error(fmt::format("{}: it has no series \"{}\"; it has {}", request.name(), asked->second,
+                              fmt::join(std::views::keys(all), ", ")));
+    }
+  }
+  if (all.size() > 1) note = fmt::format("series {}, one of {} in the folder", chosen->first, all.size());
+  return chosen->second;
+}
+
+/// Along the third axis the positions of the slices tell the spacing, not the slices' thickness.
+void measure_slices(const std::vector<glm::dvec3>& positions, Volume& volume) {
+  constexpr double tolerance = 0.01;
+  const std::size_t steps = positions.size() - 1;
+  if (steps == 0 || positions.front() == positions.back()) return;
+  const glm::dvec3 whole = positions.back() - positions.front();
+  const double spacing = glm::length(whole) / double(steps);
+  volume.grid.spacing.z = spacing;
+  volume.direction[2] = glm::normalize(whole);
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double step = glm::distance(positions[i], positions[i + 1]);
+    if (std::abs(step - spacing) <= tolerance * spacing) continue;
+    volume.note += fmt::format("{}the slices are not evenly spaced: {} after slice {}, {} on average",
+                               volume.note.empty() ? "" : "; ", step, i + 1, spacing);
+    return;
+  }
+}
+
+/// Throws Error unless a file's image is like the first one's.
+void require_alike(const itk::GDCMImageIO& io, const itk::GDCMImageIO& first) {
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    if (io.GetDimensions(axis) == first.GetDimensions(axis)) continue;
+    throw Error(fmt::format("{}: its image is {}x{}, and {} is {}x{}: a volume's slices are of one size",
+                            io.GetFileName(), io.GetDimensions(0), io.GetDimensions(1), first.GetFileName(),
+                            first.GetDimensions(0), first.GetDimensions(1)));
+  }
+  if (io.GetNumberOfComponents() != first.GetNumberOfComponents()) {
+    throw Error(fmt::format("{}: it has {} components, and {} has {}", io.GetFileName(),
+                            io.GetNumberOfComponents(), first.GetFileName(), first.GetNumberOfComponents()));
+  }
+}
+
+Volume read_files(const Request& request, const Files& files, std::string note) {
+  const std::string name = request.name();
+  const auto first = open(files.front());
+  const std::uint64_t components = first->GetNumberOfComponents();
+  if (components > 1 && !request.query.contains("component")) {
+    throw Error(fmt::format("{}: it has {} components, and a volume is one: take the first with ?component=0",
+                            name, components));
+  }
+  const auto component =
+      std::size_t(integer_in(name, request.query, "component", 0, 0, std::int64_t(components) - 1));
+  const glm::u64vec3 file_dims(first->GetDimensions(0), first->GetDimensions(1), first->GetDimensions(2));
+  const glm::u64vec3 dims(file_dims.x, file_dims.y, file_dims.z * files.size());
+  if (dims.z < 2) throw Error(fmt::format("{}: one DICOM slice: open the folder with its series", name));
+  require_memory(name, dims, components * sizeof(double) / files.size(), request.memory);
+
+  Volume volume;
+  volume.note = std::move(note);
+  if (components > 1) {
+    volume.note += fmt::format("{}component {} of {} (counted from 0)", volume.note.empty() ? "" : "; ",
+                               component, components);
+  }
+  volume.file_type = scalar_type(name, first->GetInternalComponentType());
+  volume.grid.dims = glm::ivec3(dims);
+  take_geometry(*first, volume);
+  volume.values.resize(volume.grid.point_count());
+  const std::size_t points = file_dims.x * file_dims.y * file_dims.z;
+  std::vector<glm::dvec3> positions;
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    const auto io = open(files[f]);
+    require_alike(*io, *first);
+    positions.push_back(position_of(*io));
+    const ScalarType type = scalar_type(files[f], io->GetComponentType());  // its rescaling is its own
+    std::vector<std::byte> bytes(points * components * size_of(type));
+    itk::ImageIORegion all(3);
+    for (unsigned axis = 0; axis < 3; ++axis) all.SetSize(axis, io->GetDimensions(axis));
+    io->SetIORegion(all);
+    with_itk(files[f], [&] { io->Read(bytes.data()); });
+    convert_to_float(std::span(bytes).subspan(component * size_of(type)), type, components,
+                     std::span(volume.values).subspan(f * points, points));
+  }
+  measure_slices(positions, volume);
+  return volume;
+}
+
+}  // namespace
+
+bool has_dicom(const fs::path& folder) {
+  return std::ranges::any_of(fs::directory_iterator(folder),
+                             [](const auto& entry) { return is_dicom(entry.path()); });
+}
+
+Volume read_dicom_file(const Request& request) {
+  require_known_keys(request.name(), request.query, "component");
+  if (!is_dicom(request.path))
+    throw Error(fmt::format("{}: not a DICOM file: it has no DICM at byte 128", request.name()));
+  return read_files(request, {request.name()}, "");
+}
+
+Volume read_dicom_series(const Request& request) {
+  require_known_keys(request.name(), request.query, "component,series");
+  std::string note;
+  const Files files = series_files(request, note);
+  return read_files(request, files, note);
+}
+
+}  // namespace crest

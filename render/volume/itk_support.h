@@ -1,0 +1,22 @@
+#pragma once
+
+#include <itkImageIOBase.h>
+
+#include <functional>
+#include <string>
+
+#include "render/volume/volume.h"
+
+namespace crest {
+
+/// Runs `work` with what ITK and its libraries print kept off stdout and stderr; what they throw becomes a
+/// one-line Error that begins with `name`. One thread at a time.
+void with_itk(const std::string& name, const std::function<void()>& work);
+
+/// Throws Error, which begins with `name`, for a type that is not a number.
+ScalarType scalar_type(const std::string& name, itk::CommonEnums::IOComponent component);
+
+/// Fills the volume's spacing, origin and direction from the header's first three axes.
+void take_geometry(const itk::ImageIOBase& io, Volume& volume);
+
+}  // namespace crest

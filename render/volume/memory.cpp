@@ -1,0 +1,76 @@
+#include "render/volume/memory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "presets/error.h"
+
+namespace crest {
+namespace {
+
+constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+
+/// The number that follows `key` in one of the kernel's text files.
+std::optional<std::uint64_t> number_after(const char* path, std::string_view key) {
+  std::ifstream file(path);
+  for (std::string word; file >> word;) {
+    std::uint64_t number = 0;
+    if (word == key && file >> number) return number;
+  }
+  return std::nullopt;
+}
+
+std::uint64_t system_memory() {
+  const auto kilobytes = number_after("/proc/meminfo", "MemAvailable:");
+  return kilobytes ? *kilobytes * 1024 : no_limit;
+}
+
+/// What the control group (a container's limit) still leaves; "max", or no such file, is no limit.
+std::uint64_t group_memory() {
+  std::uint64_t limit = 0;
+  std::ifstream file("/sys/fs/cgroup/memory.max");
+  if (!(file >> limit)) return no_limit;
+  const std::uint64_t used = number_after("/sys/fs/cgroup/memory.stat", "anon").value_or(0);
+  return limit > used ? limit - used : 0;
+}
+
+std::string gigabytes(std::uint64_t bytes) { return fmt::format("{:.3g} GB", double(bytes) / 1e9); }
+
+}  // namespace
+
+std::uint64_t available_memory() { return std::min(system_memory(), group_memory()); }
+
+std::optional<std::uint64_t> checked_product(std::uint64_t a, std::uint64_t b) {
+  std::uint64_t product = 0;
+  if (__builtin_mul_overflow(a, b, &product)) return std::nullopt;
+  return product;
+}
+
+void require_memory(std::string_view name, glm::u64vec3 dims, std::uint64_t bytes_per_point,
+                    std::uint64_t memory) {
+  constexpr std::uint64_t most_points = std::uint64_t(std::numeric_limits<int>::max());
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::uint64_t points = dims[axis];
+    if (points < 2 || points > most_points) {
+      throw Error(fmt::format("{}: {}x{}x{}: axis {} has {} points; a volume has 2 to {} on each", name,
+                              dims.x, dims.y, dims.z, axis + 1, points, most_points));
+    }
+  }
+  const auto plane = checked_product(dims.x, dims.y);
+  const auto points = plane ? checked_product(*plane, dims.z) : plane;
+  const auto bytes = points ? checked_product(*points, sizeof(float) + bytes_per_point) : points;
+  if (!bytes) {
+    throw Error(
+        fmt::format("{}: {}x{}x{} points are more than any memory holds", name, dims.x, dims.y, dims.z));
+  }
+  if (*bytes > memory) {
+    throw Error(fmt::format("{}: {}x{}x{} points need {} of memory, and {} are free", name, dims.x, dims.y,
+                            dims.z, gigabytes(*bytes), gigabytes(memory)));
+  }
+}
+
+}  // namespace crest
