@@ -1,0 +1,9 @@
+#pragma once
+
+namespace crest {
+
+/// The program: parses the command line and runs the command. 0 done; 1 the work failed; 2 the command line
+/// is wrong.
+int run_command_line(int argc, char** argv);
+
+}  // namespace crest

@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "render/volume/load.h"
+
+namespace crest {
+namespace {
+
+nlohmann::ordered_json triple(glm::dvec3 v) { return {v.x, v.y, v.z}; }
+
+void print_info(const std::string& source, int bins) {
+  const Volume volume = load_volume(source);
+  const VolumeStatistics& statistics = volume.statistics;
+  nlohmann::ordered_json json;
+  json["name"] = volume.name;
+  json["dims"] = {volume.grid.dims.x, volume.grid.dims.y, volume.grid.dims.z};
+  json["type"] = name_of(volume.file_type);
+  json["spacing"] = triple(volume.grid.spacing);
+  json["origin"] = triple(volume.grid.origin);
+  for (int column = 0; column < 3; ++column) json["direction"].push_back(triple(volume.direction[column]));
+  json["range"] = {statistics.range.min, statistics.range.max};
+  json["mean"] = statistics.mean;
+  json["standard_deviation"] = std::sqrt(statistics.variance);
+  json["voxels"] = volume.grid.point_count();
+  json["nan"] = statistics.nan_count;
+  json["inf"] = statistics.inf_count;
+  if (!volume.note.empty()) json["note"] = volume.note;
+  json["histogram"] = histogram_of(volume.values, statistics.range, bins);
+  fmt::print("{}\n", json.dump(2));
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, Action& chosen) {
+  struct Options {
+    std::string volume;
+    int bins = 32;
+    bool json = true;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("info", "Print what a volume holds, as JSON");
+  command->add_option("VOLUME", options->volume, "What to read (crest --help)")->required();
+  command->add_option("--bins", options->bins, "Bins of the histogram")
+      ->check(CLI::Range(1, 65536))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "JSON is the only form there is");
+  command->callback(
+      [options, &chosen] { chosen = [options] { print_info(options->volume, options->bins); }; });
+}
+
+}  // namespace crest

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/offscreen_context.h"
+#include "presets/error.h"
+#include "presets/exporters.h"
+#include "presets/names.h"
+#include "presets/preset_file.h"
+#include "render/volume/builtin.h"
+#include "render/volume/load.h"
+#include "ui/view_text.h"
+
+namespace crest {
+namespace {
+
+void list_volumes() {
+  for (const Builtin& builtin : builtins())
+    fmt::print("builtin:{:<16} {}\n{:24} {}\n", builtin.name, builtin.summary, "", builtin.parameters);
+}
+
+void list_formats() {
+  fmt::print("Volumes that are read:\n");
+  for (const VolumeFormat& format : volume_formats())
+    fmt::print("  {:<12} {:<28} {}\n", format.name, format.extensions, format.summary);
+  fmt::print("Presets are written to:\n");
+  for (const Exporter& exporter : exporters())
+    fmt::print("  {:<12} {:<28} {}\n", exporter.name, exporter.extension, exporter.summary);
+}
+
+void list_methods() {
+  for (const Mode mode : {Mode::both, Mode::dvr_only, Mode::peak_only, Mode::peak_xor_dvr})
+    fmt::print("--mode {:<14} {}\n", name_of(mode), explanation_of(mode));
+}
+
+void list_presets() {
+  for (const LibraryPreset& preset : library())
+    fmt::print("{:<20} {}\n", preset.name, parse_preset(preset.text, preset.name).notes);
+}
+
+}  // namespace
+
+void add_list_command(CLI::App& app, Action& chosen) {
+  auto what = std::make_shared<std::string>();
+  CLI::App* command =
+      app.add_subcommand("list", "List what there is: volumes, formats, methods, presets or devices");
+  command->add_option("WHAT", *what, "What to list")
+      ->required()
+      ->check(CLI::IsMember({"volumes", "formats", "methods", "presets", "devices"}));
+  command->callback([what, &chosen] {
+    chosen = [what] {
+      if (*what == "volumes") list_volumes();
+      if (*what == "formats") list_formats();
+      if (*what == "methods") list_methods();
+      if (*what == "presets") list_presets();
+      if (*what == "devices")
+        for (int i = 0; const auto& device : list_devices()) fmt::print("{} {}\n", i++, device);
+    };
+  });
+}
+
+}  // namespace crest

@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "presets/preset_file.h"
+#include "render/classify/classification.h"
+#include "render/volume/load.h"
+
+namespace crest {
+namespace {
+
+struct PeaksOptions {
+  std::string preset, volume;
+  int bins = 0;  ///< 0: as the preset says
+  bool json = true;
+};
+
+nlohmann::ordered_json peak_json(const Peak& peak) {
+  return {{"value", peak.value},
+          {"opacity", peak.opacity},
+          {"color", {peak.color.r, peak.color.g, peak.color.b}},
+          {"width", peak.width},
+          {"prominence", peak.prominence},
+          {"points", {peak.first_point, peak.last_point}},
+          {"detected", peak.detected},
+          {"shown", peak.shown},
+          {"spike", peak.spike}};
+}
+
+/// The cells that have a candidate: [entry bin, exit bin, [values in the order they are met], all
+/// candidates].
+nlohmann::ordered_json table_json(const PeakTable& table, const std::vector<Peak>& surfaces) {
+  nlohmann::ordered_json json;
+  json["bins"] = table.bins;
+  json["range"] = {table.range.min, table.range.max};
+  json["largest_count"] = table.largest_count();
+  json["cells"] = nlohmann::json::array();
+  for (int exit = 0; exit < table.bins; ++exit)
+    for (int entry = 0; entry < table.bins; ++entry) {
+      const int count = table.cell(entry, exit).count;
+      if (count == 0) continue;
+      nlohmann::json values = nlohmann::json::array();
+      for (const int index : peaks_met(table, entry, exit))
+        if (index >= 0) values.push_back(surfaces[std::size_t(index)].value);
+      json["cells"].push_back({{"entry", entry}, {"exit", exit}, {"peaks", values}, {"count", count}});
+    }
+  return json;
+}
+
+void print_peaks(const PeaksOptions& options) {
+  const Preset preset = load_preset(options.preset);
+  TransferFunction tf = preset.transfer_function;
+  ValueRange range = tf.span();
+  if (!options.volume.empty()) {
+    const Volume volume = load_volume(options.volume);
+    range = volume.statistics.range;
+    tf = resolve(tf, range, volume.grid.smallest_spacing());
+  }
+  const int bins = options.bins > 0 ? options.bins : preset.rendering.peak_bins;
+  const Classification found = classify(tf, range, bins);
+  nlohmann::ordered_json json;
+  json["peaks"] = nlohmann::json::array();
+  for (const Peak& peak : found.peaks) json["peaks"].push_back(peak_json(peak));
+  json["table"] = table_json(found.table, found.surfaces);
+  // One cell a line: 128 bins have thousands
+  std::string text = json.dump(1);
+  fmt::print("{}\n", text);
+}
+
+}  // namespace
+
+void add_peaks_command(CLI::App& app, Action& chosen) {
+  auto options = std::make_shared<PeaksOptions>();
+  CLI::App* command = app.add_subcommand("peaks", "Print a preset's peaks and its peak table, as JSON");
+  command->add_option("PRESET", options->preset, "A preset's file, or its name in the library")->required();
+  command->add_option("--volume", options->volume,
+                      "Values and range of this volume; without it the TF's own points");
+  command->add_option("--bins", options->bins, "Bins of the table; without it as the preset says")
+      ->check(CLI::Range(1, 4096));
+  command->add_flag("--json", options->json, "JSON is the only form there is");
+  command->callback([options, &chosen] { chosen = [options] { print_peaks(*options); }; });
+}
+
+}  // namespace crest

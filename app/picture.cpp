@@ -1,0 +1,58 @@
+#include "app/picture.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/timing.h"
+#include "presets/names.h"
+
+namespace crest {
+
+std::vector<MeasuredPicture> measure_pictures(Raycaster& raycaster, const std::vector<Scene>& scenes,
+                                              const Camera& camera, glm::ivec2 size, int frames,
+                                              bool count_costs) {
+  std::vector<MeasuredPicture> pictures(scenes.size());
+  gl::RenderTarget target(size, false);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    pictures[i].first_frame_ms = finished_ms([&] { raycaster.draw(scenes[i], camera, target); });
+    pictures[i].image = target.read_color();
+  }
+  for (int frame = 1; frame < frames; ++frame)
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+      pictures[i].frame_ms.push_back(finished_ms([&] { raycaster.draw(scenes[i], camera, target); }));
+  for (auto& picture : pictures)
+    if (picture.frame_ms.empty()) picture.frame_ms = {picture.first_frame_ms};
+  if (count_costs) {
+    gl::RenderTarget counted(size, true);
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+      pictures[i].counts = raycaster.draw_counted(scenes[i], camera, counted);
+  }
+  return pictures;
+}
+
+nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Raycaster& raycaster,
+                                       const Scene& scene) {
+  const RenderCounts& counts = picture.counts;
+  const double hit_pixels = std::max(counts.hit_pixels, 1.0);
+  const auto& classification = raycaster.classification(scene);
+  const Features features = raycaster.features(scene, false);
+  nlohmann::ordered_json json;
+  json["mode"] = name_of(scene.rendering.mode);
+  json["frame_ms"] = median(picture.frame_ms);
+  json["frame_ms_all"] = picture.frame_ms;
+  json["first_frame_ms"] = picture.first_frame_ms;
+  json["samples_per_ray"] = counts.samples / counts.pixels;
+  json["dvr_samples_per_ray"] = counts.dvr_samples / counts.pixels;
+  json["crossings_per_ray"] = counts.crossings / counts.pixels;
+  json["samples_per_hit_ray"] = counts.samples / hit_pixels;
+  json["dvr_samples_per_hit_ray"] = counts.dvr_samples / hit_pixels;
+  json["hit_rays"] = counts.hit_pixels;
+  json["peaks"] = nlohmann::json::array();
+  for (const Peak& peak : classification.surfaces)
+    json["peaks"].push_back({{"value", peak.value}, {"opacity", peak.opacity}, {"width", peak.width}});
+  json["features"] = feature_names(features);
+  for (const auto& [name, why] : left_out(features, *scene.volume, classification, scene.rendering))
+    json["left_out"][name] = why;
+  return json;
+}
+
+}  // namespace crest

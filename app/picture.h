@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "render/image.h"
+#include "render/raycaster/raycaster.h"
+
+namespace crest {
+
+/// A picture with what it cost.
+struct MeasuredPicture {
+  Image image;
+  double first_frame_ms = 0;     ///< with uploads and compilation
+  std::vector<double> frame_ms;  ///< the frames after it; the first one where it is the only one
+  RenderCounts counts;
+};
+
+/// Renders each scene `frames` times, turn by turn, so that their times can be compared.
+/// `count_costs` adds a frame that counts the samples.
+std::vector<MeasuredPicture> measure_pictures(Raycaster& raycaster, const std::vector<Scene>& scenes,
+                                              const Camera& camera, glm::ivec2 size, int frames,
+                                              bool count_costs);
+
+/// The statistics of one picture, as `--json` prints them.
+nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Raycaster& raycaster,
+                                       const Scene& scene);
+
+}  // namespace crest

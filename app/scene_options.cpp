@@ -1,0 +1,88 @@
+#include "app/scene_options.h"
+
+#include <fmt/format.h>
+
+#include <regex>
+
+#include "presets/error.h"
+#include "presets/preset_file.h"
+#include "render/camera.h"
+
+namespace crest {
+namespace {
+
+/// "x,y,z" as a preset's field.
+std::string triple(const std::string& path, const std::string& text) {
+  return fmt::format("{}=[{}]", path, text);
+}
+
+}  // namespace
+
+void SceneOptions::add_to(CLI::App& app) {
+  app.add_option("--preset", preset, "A preset's file, or its name in the library (crest list presets)")
+      ->type_name("FILE");
+  app.add_option("--mode", mode, "both, DVR_ONLY, PEAK_ONLY or PEAK_XOR_DVR");
+  app.add_option("--engine", engine, "raycaster");
+  app.add_option("--step", step, "Step length, in units of the smallest spacing");
+  app.add_option("--eye", eye, "Camera: where the eye is (world units)")->type_name("X,Y,Z");
+  app.add_option("--target", target, "Camera: what it looks at")->type_name("X,Y,Z");
+  app.add_option("--up", up, "Camera: what is up")->type_name("X,Y,Z");
+  app.add_option("--fov", fov, "Camera: vertical field of view in degrees")->type_name("DEG");
+  app.add_option("--set", sets, "Sets any field of the preset by its JSON path: --set rendering.step=0.5")
+      ->type_name("PATH=VALUE")
+      ->take_all();
+  app.add_flag("--fit-range", fit_range, "Map the transfer function's span onto the volume's range");
+}
+
+Preset SceneOptions::read_preset(const Volume& loaded) const {
+  Preset result;
+  if (preset.empty())
+    result.transfer_function = default_transfer_function();
+  else
+    result = load_preset(preset);
+  for (const auto& set : sets) result = set_field(result, set);
+  const auto set_if = [&](const std::string& text, const std::string& assignment) {
+    if (!text.empty()) result = set_field(result, assignment);
+  };
+  set_if(mode, "rendering.mode=" + mode);
+  set_if(engine, "rendering.engine=" + engine);
+  set_if(step, "rendering.step=" + step);
+  if (!eye.empty() || !target.empty() || !up.empty() || !fov.empty()) {
+    if (!result.camera) result.camera = whole_volume_camera(loaded.grid);
+    set_if(eye, triple("camera.eye", eye));
+    set_if(target, triple("camera.target", target));
+    set_if(up, triple("camera.up", up));
+    set_if(fov, "camera.fov_y_degrees=" + fov);
+  }
+  if (fit_range && result.transfer_function.domain == Domain::data)
+    result.transfer_function =
+        remap_values(result.transfer_function, result.transfer_function.span(), loaded.statistics.range);
+  return result;
+}
+
+void PictureOptions::add_to(CLI::App& app) {
+  app.add_option("-o,--output", output,
+                 "The picture: .png (8 bit over the background) or .exr (32-bit float)")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--size", size, "Width x height in pixels")->capture_default_str()->type_name("WxH");
+  app.add_option("--frames", frames, "Frames to time; the statistics have their median")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app.add_option("--device", device, "Graphics device (crest list devices); hardware first by default");
+  app.add_flag("--json", json, "Print statistics as JSON");
+}
+
+glm::ivec2 PictureOptions::pixels() const {
+  std::smatch match;
+  static const std::regex form(R"((\d{1,5})x(\d{1,5}))");
+  if (!std::regex_match(size, match, form))
+    throw CLI::ValidationError("--size", fmt::format("'{}' is not WIDTHxHEIGHT, as in 512x512", size));
+  return {std::stoi(match[1]), std::stoi(match[2])};
+}
+
+Camera camera_of(const Preset& preset, const Volume& volume) {
+  return preset.camera ? *preset.camera : whole_volume_camera(volume.grid);
+}
+
+}  // namespace crest

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace crest {
+
+/// Wall-clock milliseconds of `work`, until the graphics device has finished it.
+double finished_ms(const std::function<void()>& work);
+
+double median(std::vector<double> values);
+
+}  // namespace crest

@@ -1,0 +1,171 @@
+#include "app/view_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/timing.h"
+
+namespace crest {
+namespace {
+
+/// A coarse picture of one view should take about this long.
+constexpr double coarse_ms = 8;
+/// A slice that is drawn at once: the window cannot react meanwhile.
+constexpr double slice_ms = 8;
+constexpr int coarsest = 8;
+
+glm::ivec2 coarse_size(glm::ivec2 size, int coarseness) { return (size + coarseness - 1) / coarseness; }
+
+/// A coarse picture also steps further, within what still isolates most crossings.
+Scene coarse_scene(Scene scene, int coarseness) {
+  if (coarseness > 1) scene.rendering.step = std::max(scene.rendering.step, 1.0);
+  return scene;
+}
+
+}  // namespace
+
+bool ViewRequest::operator==(const ViewRequest& other) const {
+  return scene.volume == other.scene.volume && scene.tf == other.scene.tf &&
+         scene.rendering == other.scene.rendering && camera == other.camera && size == other.size;
+}
+
+ViewRenderer::ViewRenderer(std::filesystem::path shader_folder) : raycaster_(std::move(shader_folder)) {}
+
+void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, double budget_ms,
+                        bool interactive) {
+  for (std::size_t i = 0; i < view_count; ++i) {
+    View& view = views_[i];
+    if (requests[i] == view.wanted) continue;
+    view.wanted = requests[i];
+    ++view.wanted_version;
+    view.is_counted = false;
+    const bool keep = view.pass && view.pass->coarseness > 1 && view.pass->request.size == view.wanted.size;
+    if (!keep) view.pass.reset();
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const auto spent_ms = [&] {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  };
+  while (spent_ms() < budget_ms) {
+    View* view = next_view();
+    if (!view) break;
+    if (!view->pass && view->shown_version == view->wanted_version && view->shown_coarseness == 1) {
+      count_costs(*view);
+      continue;
+    }
+    if (!view->pass) begin_pass(*view, interactive);
+    draw_slice(*view, interactive ? slice_ms : std::max(slice_ms, budget_ms / 2));
+  }
+}
+
+bool ViewRenderer::is_busy() const {
+  return std::ranges::any_of(views_, [](const View& view) {
+    return view.wanted.size.x > 0 && view.wanted.scene.volume &&
+           (view.pass || view.shown_version != view.wanted_version || view.shown_coarseness != 1 ||
+            !view.is_counted);
+  });
+}
+
+/// In turn: first the views that show an old picture, then those that show a coarse one, then those not
+/// counted.
+ViewRenderer::View* ViewRenderer::next_view() {
+  View* best = nullptr;
+  int best_rank = 3;
+  for (std::size_t i = 1; i <= view_count; ++i) {
+    View& view = views_[(last_view_ + i) % view_count];
+    if (view.wanted.size.x <= 0 || !view.wanted.scene.volume) continue;
+    const int rank = view.shown_version != view.wanted_version ? 0
+                     : view.shown_coarseness != 1              ? 1
+                     : !view.is_counted                        ? 2
+                                                               : 3;
+    if (rank < best_rank) {
+      best = &view;
+      best_rank = rank;
+    }
+  }
+  return best;
+}
+
+void ViewRenderer::begin_pass(View& view, bool interactive) {
+  Pass pass;
+  pass.request = view.wanted;
+  pass.version = view.wanted_version;
+  const glm::ivec2 size = view.wanted.size;
+  if (view.shown_version != view.wanted_version) {
+    const double full_ms = view.ms_per_pixel * size.x * size.y;
+    while (pass.coarseness < coarsest && full_ms / (pass.coarseness * pass.coarseness) > coarse_ms)
+      pass.coarseness *= 2;
+  }
+  if (!interactive && view.shown_coarseness == 0) pass.coarseness = std::max(pass.coarseness, 4);
+  pass.target = std::make_unique<gl::RenderTarget>(coarse_size(size, pass.coarseness), false);
+  view.pass = std::move(pass);
+}
+
+void ViewRenderer::draw_slice(View& view, double wanted_ms) {
+  Pass& pass = *view.pass;
+  const glm::ivec2 size = pass.target->size();
+  const int rows = std::clamp(int(wanted_ms / (view.ms_per_pixel * size.x)), 4, size.y - pass.next_row);
+  const Tile tile{{0, pass.next_row}, {size.x, std::min(pass.next_row + std::max(rows, 1), size.y)}};
+  const double ms = finished_ms([&] {
+    raycaster_.draw(coarse_scene(pass.request.scene, pass.coarseness), pass.request.camera, *pass.target,
+                    tile);
+  });
+  const double pixels = double(tile.end.x) * (tile.end.y - tile.begin.y);
+  view.ms_per_pixel = std::max(1e-7, 0.5 * view.ms_per_pixel + 0.5 * ms / pixels);
+  pass.ms += ms;
+  // A picture in full appears as it grows
+  if (pass.coarseness == 1 && view.display && view.display->size() == size)
+    presenter_.present(*pass.target, *view.display, glm::vec3(pass.request.scene.rendering.background),
+                       tile.begin.y, tile.end.y);
+  pass.next_row = tile.end.y;
+  last_view_ = std::size_t(&view - views_.data());
+  if (pass.next_row == size.y) finish_pass(view);
+}
+
+void ViewRenderer::finish_pass(View& view) {
+  Pass pass = std::move(*view.pass);
+  view.pass.reset();
+  const glm::ivec2 size = pass.request.size;
+  if (!view.display || view.display->size() != size)
+    view.display = std::make_unique<gl::DisplayTexture>(size);
+  presenter_.present(*pass.target, *view.display, glm::vec3(pass.request.scene.rendering.background), 0,
+                     size.y);
+  view.shown_version = pass.version;
+  view.shown_coarseness = pass.coarseness;
+  if (pass.coarseness == 1) view.frame_ms = pass.ms;
+}
+
+void ViewRenderer::count_costs(View& view) {
+  gl::RenderTarget target(coarse_size(view.wanted.size, coarsest), true);
+  view.counts = raycaster_.draw_counted(view.wanted.scene, view.wanted.camera, target);
+  view.is_counted = true;
+}
+
+ViewPicture ViewRenderer::picture(int index) const {
+  const View& view = views_[std::size_t(index)];
+  ViewPicture picture;
+  if (!view.display) return picture;
+  const bool done = view.shown_coarseness == 1 && view.shown_version == view.wanted_version;
+  picture.texture = view.display->texture();
+  picture.coarseness = std::max(view.shown_coarseness, 1);
+  picture.progress = done ? 1
+                     : view.pass && view.pass->coarseness == 1
+                         ? double(view.pass->next_row) / view.pass->target->size().y
+                         : 0;
+  picture.frame_ms = view.frame_ms;
+  if (view.counts.pixels > 0) {
+    picture.samples_per_ray = view.counts.samples / view.counts.pixels;
+    picture.dvr_samples_per_ray = view.counts.dvr_samples / view.counts.pixels;
+  }
+  return picture;
+}
+
+void ViewRenderer::invalidate() {
+  for (View& view : views_) {
+    view.pass.reset();
+    view.is_counted = false;
+    ++view.wanted_version;
+  }
+}
+
+}  // namespace crest

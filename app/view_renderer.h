@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "render/gl/display_texture.h"
+#include "render/raycaster/raycaster.h"
+#include "ui/studio.h"
+
+namespace crest {
+
+/// What a view is to show.
+struct ViewRequest {
+  Scene scene;
+  Camera camera;
+  glm::ivec2 size{0};  ///< (0, 0): the view is not visible
+  bool operator==(const ViewRequest& other) const;
+};
+
+/// Draws the views of the studio a slice at a time, so that the window stays live: at first coarse, then in
+/// full. A coarse picture that was begun is finished, so that a view keeps up with a drag; a finer one is
+/// dropped when the request changes. Nothing is drawn again that did not change.
+class ViewRenderer {
+ public:
+  explicit ViewRenderer(std::filesystem::path shader_folder);
+
+  /// Works for about `budget_ms`. `interactive`: begin with coarse pictures, since more changes are to come.
+  void work(const std::array<ViewRequest, view_count>& requests, double budget_ms, bool interactive);
+  /// Whether there is anything left to draw.
+  bool is_busy() const;
+
+  ViewPicture picture(int view) const;
+  /// The request that a view's present picture shows at least coarsely; its number counts up with each
+  /// change.
+  std::uint64_t shown_version(int view) const { return views_[std::size_t(view)].shown_version; }
+  std::uint64_t wanted_version(int view) const { return views_[std::size_t(view)].wanted_version; }
+
+  Raycaster& raycaster() { return raycaster_; }
+  /// Draws everything again (after the shaders changed).
+  void invalidate();
+
+ private:
+  /// A picture that is being drawn, row by row.
+  struct Pass {
+    ViewRequest request;
+    std::uint64_t version = 0;
+    int coarseness = 1;
+    int next_row = 0;
+    double ms = 0;
+    std::unique_ptr<gl::RenderTarget> target;
+  };
+  struct View {
+    ViewRequest wanted;
+    std::uint64_t wanted_version = 0, shown_version = 0;
+    int shown_coarseness = 0;  ///< 0: nothing is shown
+    std::optional<Pass> pass;
+    std::unique_ptr<gl::DisplayTexture> display;
+    double ms_per_pixel = 1e-3;  ///< a first guess; measured from then on
+    double frame_ms = 0;
+    RenderCounts counts;
+    bool is_counted = false;
+  };
+
+  View* next_view();
+  void begin_pass(View& view, bool interactive);
+  void draw_slice(View& view, double slice_ms);
+  void finish_pass(View& view);
+  void count_costs(View& view);
+
+  Raycaster raycaster_;
+  gl::Presenter presenter_;
+  std::array<View, view_count> views_;
+  std::size_t last_view_ = 0;
+};
+
+}  // namespace crest

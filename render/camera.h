@@ -1,0 +1,33 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "presets/preset.h"
+#include "render/volume/volume.h"
+
+namespace crest {
+
+/// A camera that has the whole volume in view, from an oblique direction, with z up.
+Camera whole_volume_camera(const Grid& grid, double fov_y_degrees = 30);
+
+/// A camera's axes: orthonormal, w forward, u right, v up. An `up` along the view is replaced by another
+/// axis.
+struct CameraFrame {
+  glm::dvec3 u, v, w;
+};
+/// Throws Error when eye and target are the same, or a number is not finite.
+CameraFrame camera_frame(const Camera& camera);
+
+/// The rays of a picture, in units of the smallest spacing and from the box's first point. A pixel at (x, y)
+/// of the image plane, each in [-1, 1], has the ray through anchor + x*anchor_u + y*anchor_v along w + x*u +
+/// y*v. The anchor plane goes through the box's middle (or the eye, if that is nearer), so that a far eye
+/// costs no precision.
+struct RayFrame {
+  glm::dvec3 anchor, anchor_u, anchor_v;
+  glm::dvec3 w, u, v;
+  double eye_to_anchor;
+};
+RayFrame ray_frame(const Camera& camera, const Grid& grid, glm::ivec2 image_size);
+
+}  // namespace crest

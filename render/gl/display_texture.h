@@ -1,0 +1,39 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "render/gl/handle.h"
+#include "render/gl/render_target.h"
+
+namespace crest::gl {
+
+/// An opaque 8-bit picture to be shown on the screen, row 0 at the top.
+class DisplayTexture {
+ public:
+  explicit DisplayTexture(glm::ivec2 size);
+  glm::ivec2 size() const { return size_; }
+  GLuint texture() const { return texture_.id(); }
+  GLuint framebuffer() const { return framebuffer_.id(); }
+
+ private:
+  glm::ivec2 size_;
+  TextureHandle texture_;
+  FramebufferHandle framebuffer_;
+};
+
+/// Puts pictures over a background into display textures.
+class Presenter {
+ public:
+  Presenter();
+
+  /// The rows [first_row, last_row) of `to`, from the same part of `from`; a smaller picture is enlarged.
+  void present(const RenderTarget& from, DisplayTexture& to, glm::vec3 background, int first_row,
+               int last_row);
+
+ private:
+  ProgramHandle program_;
+  VertexArrayHandle vertex_array_;
+};
+
+}  // namespace crest::gl

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "render/gl/handle.h"
+#include "render/image.h"
+
+namespace crest::gl {
+
+/// What is drawn into: premultiplied RGBA in 32-bit float, row 0 at the top; with `counts`, also four
+/// counters a pixel, as unsigned integers.
+class RenderTarget {
+ public:
+  /// Throws Error when the size is not in 1..16384 or the driver has no room for it.
+  RenderTarget(glm::ivec2 size, bool counts);
+
+  glm::ivec2 size() const { return size_; }
+  bool has_counts() const { return bool(counts_); }
+  GLuint framebuffer() const { return framebuffer_.id(); }
+  GLuint color_texture() const { return color_.id(); }
+
+  Image read_color() const;
+  std::vector<glm::uvec4> read_counts() const;
+
+ private:
+  glm::ivec2 size_;
+  TextureHandle color_, counts_;
+  FramebufferHandle framebuffer_;
+};
+
+}  // namespace crest::gl

@@ -1,0 +1,104 @@
+#include "render/raycaster/features.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace crest {
+namespace {
+
+/// So few peaks are tested one by one in less time than a look into the table takes (docs/measured.md).
+constexpr int most_peaks_without_table = 2;
+
+}  // namespace
+
+Features needed_features(const Volume& volume, const Classification& classification,
+                         const Rendering& rendering, bool statistics) {
+  const bool wants_peaks = rendering.mode != Mode::dvr_only;
+  Features features;
+  features.dvr = rendering.mode != Mode::peak_only;
+  features.peaks = wants_peaks && !classification.surfaces.empty();
+  features.split = features.peaks && features.dvr && rendering.peak_form == PeakForm::split;
+  features.exclusive =
+      features.peaks && rendering.mode == Mode::peak_xor_dvr && rendering.peak_form == PeakForm::paper;
+  // The base TF holds also where no spike's value is in the field's range: its flanks may be.
+  features.base_tf =
+      rendering.mode == Mode::peak_xor_dvr && rendering.peak_form == PeakForm::split &&
+      std::ranges::any_of(classification.peaks, [](const Peak& p) { return p.spike && p.shown; });
+  features.shading = rendering.shading == Shading::gradient;
+  features.early_termination = rendering.early_termination > 0;
+  features.empty_cells = volume.has_empty_cells();
+  features.statistics = statistics;
+  if (features.peaks) {
+    const int count = int(classification.surfaces.size());
+    features.peak_table = count > most_peaks_without_table;
+    features.peak_count = features.peak_table ? 0 : count;
+    features.max_peaks = std::min(rendering.max_peaks, count);
+  }
+  return features;
+}
+
+std::vector<std::string> shader_defines(const Features& f) {
+  std::vector<std::string> defines;
+  const auto add = [&](const char* name, int value) { defines.push_back(fmt::format("{} {}", name, value)); };
+  add("DVR", f.dvr);
+  add("PEAKS", f.peaks);
+  add("PEAK_TABLE", f.peak_table);
+  add("SPLIT", f.split);
+  add("EXCLUSIVE", f.exclusive);
+  add("SHADING", f.shading);
+  add("EARLY_TERMINATION", f.early_termination);
+  add("EMPTY_CELLS", f.empty_cells);
+  add("STATISTICS", f.statistics);
+  add("PEAK_COUNT", f.peak_count);
+  add("MAX_PEAKS", f.max_peaks);
+  return defines;
+}
+
+std::vector<std::string> feature_names(const Features& f) {
+  std::vector<std::string> names;
+  const auto add = [&](bool in, const char* name) {
+    if (in) names.emplace_back(name);
+  };
+  add(f.dvr, "dvr");
+  add(f.peaks, "peaks");
+  add(f.peak_table, "peak_table");
+  add(f.split, "split");
+  add(f.exclusive, "exclusive");
+  add(f.base_tf, "base_tf");
+  add(f.shading, "shading");
+  add(f.early_termination, "early_termination");
+  add(f.empty_cells, "empty_cells");
+  add(f.statistics, "statistics");
+  return names;
+}
+
+std::vector<std::pair<std::string, std::string>> left_out(const Features& f, const Volume& volume,
+                                                          const Classification& classification,
+                                                          const Rendering& rendering) {
+  std::vector<std::pair<std::string, std::string>> list;
+  const auto add = [&](bool in, const char* name, std::string why) {
+    if (!in) list.emplace_back(name, std::move(why));
+  };
+  const bool dvr_only = rendering.mode == Mode::dvr_only;
+  const std::string no_peaks = dvr_only                       ? "the mode is DVR_ONLY"
+                               : classification.peaks.empty() ? "the transfer function has no peak"
+                               : !f.peaks                     ? "no surface lies in the volume's range"
+                                                              : "";
+  add(f.dvr, "dvr", "the mode is PEAK_ONLY");
+  add(f.peaks, "peaks", no_peaks);
+  add(f.peak_table, "peak_table",
+      f.peaks ? fmt::format("{} surface(s) are tested one by one", f.peak_count) : no_peaks);
+  add(f.split, "split",
+      !f.peaks ? no_peaks
+      : !f.dvr ? "the mode is PEAK_ONLY"
+               : "the peak form is the paper's");
+  add(f.base_tf, "base_tf", "no spike is taken out of the DVR in this mode and form");
+  add(f.shading, "shading", "rendering.shading is none");
+  add(f.early_termination, "early_termination", "rendering.early_termination is 0");
+  add(f.empty_cells, "empty_cells", fmt::format("all {} voxels have a value", volume.grid.point_count()));
+  add(f.statistics, "statistics", "nobody asked for counts");
+  return list;
+}
+
+}  // namespace crest

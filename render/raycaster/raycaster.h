@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "render/gl/render_target.h"
+#include "render/raycaster/features.h"
+#include "render/raycaster/scene.h"
+
+namespace crest {
+
+/// Pixels of a target to draw: rows and columns from `begin` up to but not including `end`.
+struct Tile {
+  glm::ivec2 begin, end;
+};
+
+/// What a picture cost, over all its pixels.
+struct RenderCounts {
+  double pixels = 0, hit_pixels = 0;  ///< all, and those whose ray meets the box
+  double samples = 0,
+         dvr_samples = 0;  ///< field evaluations (gradient taps apart), and those that DVR classified
+  double crossings = 0;
+};
+
+/// The single-pass ray caster. It keeps what the last scenes needed (the volume's texture, the TF's tables,
+/// the shader variants) and rebuilds only what changed. A GL 4.5 context must be current throughout.
+class Raycaster {
+ public:
+  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself.
+  explicit Raycaster(std::filesystem::path shader_folder = {});
+  ~Raycaster();
+  Raycaster(Raycaster&&) noexcept;
+
+  /// Draws a tile of the picture that `camera` sees. With a target that has counts, they are counted. Throws
+  /// Error for a volume that the driver cannot hold, or a shader that does not compile and has no last good
+  /// one.
+  void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile);
+
+  /// The same for the whole picture.
+  void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
+
+  /// The whole picture, with its costs counted. `target` has counts.
+  RenderCounts draw_counted(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
+
+  /// What the TF brings in this scene; it stays valid until the next draw or call with another scene.
+  const Classification& classification(const Scene& scene);
+  Features features(const Scene& scene, bool statistics);
+
+  /// Compiles every variant again when it is next needed. Where that fails, the last good one is kept, and
+  /// shader_error says why.
+  void reload_shaders();
+  const std::string& shader_error() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace crest

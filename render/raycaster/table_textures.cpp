@@ -1,0 +1,48 @@
+#include "render/raycaster/table_textures.h"
+
+namespace crest {
+
+TfTexture upload_tf(const TransferFunction& tf, ValueRange field, double smallest_spacing) {
+  const TfTable table = build_tf_table(tf, field, smallest_spacing, tf_entries);
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_1D, 1, &id);
+  TfTexture result{gl::TextureHandle(id), table.range};
+  const auto count = GLsizei(table.entries.size());
+  glTextureStorage1D(id, 1, GL_RGBA32F, count);
+  glTextureSubImage1D(id, 0, 0, count, GL_RGBA, GL_FLOAT, table.entries.data());
+  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  return result;
+}
+
+gl::TextureHandle upload_peak_table(const PeakTable& table) {
+  std::vector<std::uint32_t> cells;
+  cells.reserve(table.cells.size());
+  for (const auto& cell : table.cells) cells.push_back(cell.first | std::uint32_t(cell.count) << 16);
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &id);
+  gl::TextureHandle texture(id);
+  glTextureStorage2D(id, 1, GL_R32UI, table.bins, table.bins);
+  glTextureSubImage2D(id, 0, 0, 0, table.bins, table.bins, GL_RED_INTEGER, GL_UNSIGNED_INT, cells.data());
+  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  return texture;
+}
+
+gl::BufferHandle upload_peaks(const std::vector<Peak>& peaks) {
+  struct GpuPeak {  // std430 layout of the shader's Peak
+    glm::vec4 color_opacity;
+    float value, padding[3];
+  };
+  std::vector<GpuPeak> list;
+  list.reserve(peaks.size());
+  for (const Peak& peak : peaks)
+    list.push_back({glm::vec4(peak.color, float(peak.opacity)), float(peak.value), {}});
+  GLuint id = 0;
+  glCreateBuffers(1, &id);
+  glNamedBufferStorage(id, GLsizeiptr(list.size() * sizeof(GpuPeak)), list.data(), 0);
+  return gl::BufferHandle(id);
+}
+
+}  // namespace crest

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "render/classify/peak_table.h"
+#include "render/classify/tf_table.h"
+#include "render/gl/handle.h"
+
+namespace crest {
+
+inline constexpr int tf_entries = 8192;  ///< Knoll et al. 2009, section 6
+
+/// A TF on the GPU: 1D, RGBA32F, the first and the last entry's centres are the range's ends.
+struct TfTexture {
+  gl::TextureHandle texture;
+  ValueRange range;
+};
+
+/// `tf` is resolved; the texture covers what `field` reaches of it (see build_tf_table).
+TfTexture upload_tf(const TransferFunction& tf, ValueRange field, double smallest_spacing);
+
+/// R32UI, entry bin across, exit bin up: the first candidate in the lower 16 bits, their count in the upper.
+gl::TextureHandle upload_peak_table(const PeakTable& table);
+
+/// The peaks in the std430 layout of shaders/peaks.glsl. At least one.
+gl::BufferHandle upload_peaks(const std::vector<Peak>& peaks);
+
+}  // namespace crest

@@ -1,0 +1,54 @@
+#include "render/raycaster/volume_texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "presets/error.h"
+#include "render/volume/empty_cells.h"
+
+namespace crest {
+namespace {
+
+gl::TextureHandle upload(glm::ivec3 size, GLenum internal_format, GLenum format, GLenum type,
+                         const void* data, GLint filter) {
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_3D, 1, &id);
+  gl::TextureHandle texture(id);
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  glTextureStorage3D(id, 1, internal_format, size.x, size.y, size.z);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  if (glGetError() == GL_NO_ERROR)
+    glTextureSubImage3D(id, 0, 0, 0, 0, size.x, size.y, size.z, format, type, data);
+  if (glGetError() != GL_NO_ERROR)
+    throw Error(
+        fmt::format("the graphics driver has no room for a volume of {}x{}x{}", size.x, size.y, size.z));
+  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, filter);
+  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, filter);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    glTextureParameteri(id, wrap, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+}  // namespace
+
+VolumeTexture upload_volume(const Volume& volume) {
+  const glm::ivec3 dims = volume.grid.dims;
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
+  if (std::max({dims.x, dims.y, dims.z}) > largest)
+    throw Error(fmt::format("{}: {}x{}x{} points are too many for this graphics driver: at most {} an axis",
+                            volume.name, dims.x, dims.y, dims.z, largest));
+  VolumeTexture texture;
+  if (volume.has_empty_cells()) {
+    texture.values = upload(dims, GL_R32F, GL_RED, GL_FLOAT, finite_values(volume).data(), GL_LINEAR);
+    texture.empty_cells = upload(dims - 1, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
+                                 find_empty_cells(volume).data(), GL_NEAREST);
+  } else {
+    texture.values = upload(dims, GL_R32F, GL_RED, GL_FLOAT, volume.values.data(), GL_LINEAR);
+  }
+  return texture;
+}
+
+}  // namespace crest

@@ -1,0 +1,50 @@
+// Peak finding (Knoll et al. 2009, section 4.2 and appendix): which peaks a segment may cross, whether it does, where.
+
+#include "field.glsl"
+
+struct Peak {
+  vec4 color_opacity;
+  float value;
+};
+layout(std430, binding = 0) readonly buffer Peaks { Peak peaks[]; };  // by ascending value
+
+// A place on the ray where the field's value is known.
+struct Knot {
+  float t, value;
+};
+
+#if PEAK_TABLE
+uniform usampler2D peak_table;  // entry bin across, exit bin up: first peak | count << 16
+uniform vec2 bin_min_scale;     // the bin is (value - x) * y, rounded down
+
+int bin_of(float value) {
+  return clamp(int((value - bin_min_scale.x) * bin_min_scale.y), 0, textureSize(peak_table, 0).x - 1);
+}
+#endif
+
+// Inside is {f >= v}; a crossing lies between two stretches of positive length. A sample exactly on v belongs to
+// the side that it came from, or, when the field stays on v, to the inside: so a touch is no crossing, and a
+// crossing at a sample is one. `before` is the sample before f0 (at the entry, f1 itself).
+bool crosses(float v, float before, float f0, float f1) {
+  bool inside0 = f0 > v || (f0 == v && before >= v);
+  bool inside1 = f1 > v || (f1 == v && f0 >= v);
+  return inside0 != inside1;
+}
+
+// Three steps of the secant method with a bracket (eq. 5); the last one is not evaluated, since the value is known.
+float solve(Ray ray, Knot a, Knot b, float v) {
+  float t0 = a.t, t1 = b.t, f0 = a.value - v, f1 = b.value - v;
+  if (f0 == 0.0) return t0;
+  for (int i = 0; i < 2; ++i) {
+    float t = t0 - (t1 - t0) * (f0 / (f1 - f0));
+    float f = field(at(ray, t)) - v;
+    if ((f >= 0.0) == (f1 >= 0.0)) {
+      t1 = t;
+      f1 = f;
+    } else {
+      t0 = t;
+      f0 = f;
+    }
+  }
+  return f1 == f0 ? t0 : clamp(t0 - (t1 - t0) * (f0 / (f1 - f0)), a.t, b.t);
+}

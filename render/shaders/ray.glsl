@@ -1,0 +1,42 @@
+// The ray of a pixel. Lengths are in units of the smallest spacing, positions run from the box's first point, so
+// that the picture does not change with the world's units.
+
+uniform vec3 box_size, cell_size;
+uniform vec2 image_size;
+// A point on the ray through the image plane's (x, y) is ray_anchor + x*ray_anchor_u + y*ray_anchor_v: a plane
+// through the volume's middle, not the eye, so that a far eye costs no precision.
+uniform vec3 ray_anchor, ray_anchor_u, ray_anchor_v;
+uniform vec3 ray_w, ray_u, ray_v;  // the direction is w + x*u + y*v
+uniform float eye_to_anchor;       // along w
+
+struct Ray {
+  vec3 origin, direction;  // direction has length 1
+  float eye;               // the eye's place along the ray
+};
+
+vec3 at(Ray ray, float t) { return ray.origin + t * ray.direction; }
+
+// Row 0 is at the top; the ray goes through the pixel's centre.
+Ray pixel_ray() {
+  vec2 plane = vec2(2.0, -2.0) * gl_FragCoord.xy / image_size + vec2(-1.0, 1.0);
+  vec3 direction = ray_w + plane.x * ray_u + plane.y * ray_v;
+  float size = length(direction);
+  return Ray(ray_anchor + plane.x * ray_anchor_u + plane.y * ray_anchor_v, direction / size, -eye_to_anchor * size);
+}
+
+// Where the ray is inside the box and in front of the eye. A ray that runs in a face is inside.
+bool hit_box(Ray ray, out float enter, out float exit) {
+  enter = ray.eye;
+  exit = 3.0e38;
+  for (int axis = 0; axis < 3; ++axis) {
+    float o = ray.origin[axis], d = ray.direction[axis];
+    if (d == 0.0) {
+      if (o < 0.0 || o > box_size[axis]) return false;
+      continue;
+    }
+    float a = -o / d, b = (box_size[axis] - o) / d;
+    enter = max(enter, min(a, b));
+    exit = min(exit, max(a, b));
+  }
+  return enter <= exit;
+}

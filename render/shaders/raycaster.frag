@@ -1,0 +1,99 @@
+// The single-pass ray caster: uniform steps, post-classification, peak finding (Knoll et al. 2009, appendix).
+// DVR, PEAKS, SPLIT, ... are 0 or 1, from what the scene needs (raycaster/features.h).
+
+#include "ray.glsl"
+#include "statistics.glsl"
+#include "field.glsl"
+#include "compositing.glsl"
+#include "shading.glsl"
+#include "spans.glsl"
+#if DVR
+#include "transfer_function.glsl"
+#endif
+#if PEAKS
+#include "peaks.glsl"
+#endif
+
+layout(location = 0) out vec4 out_color;
+
+uniform float step_length;  // in units of the smallest spacing
+// A pass renders these of a ray's intervals: some drivers end loops that are too long.
+uniform int first_interval, interval_count;
+#if EARLY_TERMINATION
+uniform float least_residual;
+#define TERMINATED (transmittance < least_residual)
+#else
+#define TERMINATED false
+#endif
+
+// A span's n equal segments are sampled at their midpoints (Steneteg et al., Listing 4, in world units).
+struct Sampling {
+  Span span;
+  int n;
+  float dt;
+};
+
+Sampling sample_span(Span span) {
+  float size = span.exit - span.enter;
+  int n = max(1, int(ceil(size / step_length)));
+  return Sampling(span, n, size / float(n));
+}
+
+// The i-th sample; before the first is the entry, after the last the exit.
+float sample_at(Sampling s, int i) {
+  return i < 0 ? s.span.enter : i >= s.n ? s.span.exit : s.span.enter + (float(i) + 0.5) * s.dt;
+}
+
+#if PEAKS
+// Interval i lies between samples i-1 and i: the n-1 between samples, and one at either end, so that each crossing
+// is isolated and no value of the field is evaluated twice.
+int interval_total(Sampling s) { return s.n + 1; }
+#include "march_peaks.glsl"
+#elif DVR
+int interval_total(Sampling s) { return s.n; }
+
+void march(Ray ray, Sampling s, int first, int last) {
+  for (int i = first; i < last; ++i) {
+    float t = s.span.enter + (float(i) + 0.5) * s.dt;
+    vec4 material = classify(field(at(ray, t)));
+    COUNT_DVR_SAMPLE;
+    composite(material.rgb * LIGHT(t), opacity_of(material.a * s.dt));
+    if (TERMINATED) break;
+  }
+}
+#else
+int interval_total(Sampling s) { return 0; }
+void march(Ray ray, Sampling s, int first, int last) {}
+#endif
+
+// Renders the intervals [first_interval, first_interval + interval_count) of those before `index` and after.
+void march_slice(Ray ray, Span span, inout int index) {
+  Sampling s = sample_span(span);
+  int total = interval_total(s);
+  int first = max(first_interval - index, 0), last = min(first_interval + interval_count - index, total);
+  if (first < last) march(ray, s, first, last);
+  index += total;
+}
+
+void main() {
+  Ray ray = pixel_ray();
+  Span box;
+  if (hit_box(ray, box.enter, box.exit)) {
+    int index = 0;
+#if EMPTY_CELLS
+    Walk walk = begin_walk(ray, box);
+    bool more = true;
+    Span span;
+    while (next_span(walk, more, span)) march_slice(ray, span, index);
+#else
+    march_slice(ray, box, index);
+#endif
+#if STATISTICS
+    counts.w = 1u;
+#endif
+  }
+  out_color = collected;
+#if STATISTICS
+  out_counts = counts;
+#endif
+}

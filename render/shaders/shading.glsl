@@ -1,0 +1,15 @@
+// A headlight, ambient and diffuse. Where the field is flat there is no surface to shade: full light.
+#if SHADING
+#include "field.glsl"
+
+const float ambient = 0.25, diffuse = 0.75;
+
+float light(Ray ray, float t) {
+  vec3 normal = gradient(at(ray, t));
+  float size = length(normal);
+  return size > 0.0 ? ambient + diffuse * abs(dot(normal / size, ray.direction)) : 1.0;
+}
+#define LIGHT(t) light(ray, t)
+#else
+#define LIGHT(t) 1.0
+#endif

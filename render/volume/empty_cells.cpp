@@ -1,0 +1,59 @@
+#include "render/volume/empty_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crest {
+namespace {
+
+/// Calls visit(i, j, k) for each voxel without a value.
+template <class Visit>
+void for_each_hole(const Volume& volume, Visit&& visit) {
+  const auto dims = volume.grid.dims;
+  std::size_t index = 0;
+  for (int k = 0; k < dims.z; ++k)
+    for (int j = 0; j < dims.y; ++j)
+      for (int i = 0; i < dims.x; ++i, ++index)
+        if (!std::isfinite(volume.values[index])) visit(i, j, k);
+}
+
+float mean_of_neighbours(const Volume& volume, int i, int j, int k) {
+  const auto dims = volume.grid.dims;
+  double sum = 0;
+  int count = 0;
+  for (int z = std::max(k - 1, 0); z <= std::min(k + 1, dims.z - 1); ++z)
+    for (int y = std::max(j - 1, 0); y <= std::min(j + 1, dims.y - 1); ++y)
+      for (int x = std::max(i - 1, 0); x <= std::min(i + 1, dims.x - 1); ++x)
+        if (const float value = volume.at(x, y, z); std::isfinite(value)) {
+          sum += double(value);
+          ++count;
+        }
+  return count > 0 ? float(sum / count) : float(volume.statistics.range.min);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> find_empty_cells(const Volume& volume) {
+  const glm::ivec3 cells = volume.grid.dims - 1;
+  std::vector<std::uint8_t> empty(std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z), 0);
+  for_each_hole(volume, [&](int i, int j, int k) {
+    for (int z = std::max(k - 1, 0); z <= std::min(k, cells.z - 1); ++z)
+      for (int y = std::max(j - 1, 0); y <= std::min(j, cells.y - 1); ++y)
+        for (int x = std::max(i - 1, 0); x <= std::min(i, cells.x - 1); ++x)
+          empty[std::size_t(x) +
+                std::size_t(cells.x) * (std::size_t(y) + std::size_t(cells.y) * std::size_t(z))] = 1;
+  });
+  return empty;
+}
+
+std::vector<float> finite_values(const Volume& volume) {
+  auto values = volume.values;
+  const auto dims = volume.grid.dims;
+  for_each_hole(volume, [&](int i, int j, int k) {
+    values[std::size_t(i) + std::size_t(dims.x) * (std::size_t(j) + std::size_t(dims.y) * std::size_t(k))] =
+        mean_of_neighbours(volume, i, j, k);
+  });
+  return values;
+}
+
+}  // namespace crest

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/volume/volume.h"
+
+namespace crest {
+
+/// For each cell, x fastest, (dims-1) of them: 1 where one of its corners is NaN or Inf, so that it is empty.
+std::vector<std::uint8_t> find_empty_cells(const Volume& volume);
+
+/// The values with finite stand-ins (the mean of a voxel's finite neighbours, or the least value) for those
+/// that are not: filtering multiplies even a NaN of weight 0.
+std::vector<float> finite_values(const Volume& volume);
+
+}  // namespace crest

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+
+#include "app/offscreen_context.h"
+#include "render/camera.h"
+#include "render/raycaster/raycaster.h"
+
+namespace crest::testing {
+
+/// A volume from a formula of the world position.
+inline std::shared_ptr<const Volume> make_volume(Grid grid,
+                                                 const std::function<double(glm::dvec3)>& formula) {
+  Volume volume;
+  volume.grid = grid;
+  volume.name = "formula";
+  for (int k = 0; k < grid.dims.z; ++k)
+    for (int j = 0; j < grid.dims.y; ++j)
+      for (int i = 0; i < grid.dims.x; ++i)
+        volume.values.push_back(float(formula(grid.origin + grid.spacing * glm::dvec3(i, j, k))));
+  volume.statistics = compute_statistics(volume.values);
+  return std::make_shared<const Volume>(std::move(volume));
+}
+
+inline ControlPoint point(double value, double opacity, glm::dvec3 color = glm::dvec3(1)) {
+  ControlPoint p;
+  p.value = value;
+  p.opacity = opacity;
+  p.color = color;
+  return p;
+}
+
+/// A resolved TF of these points.
+inline TransferFunction make_tf(std::vector<ControlPoint> points, double unit_distance = 1) {
+  TransferFunction tf;
+  tf.points = std::move(points);
+  tf.unit_distance = unit_distance;
+  return tf;
+}
+
+/// Looks along +z at the middle of a unit-spaced box, from so far that all rays are parallel in effect; a
+/// pixel's side is `extent` / `pixels` in world units.
+inline Camera along_z(const Grid& grid, double extent) {
+  Camera camera;
+  const glm::dvec3 middle = grid.origin + 0.5 * grid.box_size();
+  const double distance = 1e5 * extent;
+  camera.target = middle;
+  camera.eye = middle - glm::dvec3(0, 0, distance);
+  camera.up = {0, 1, 0};
+  camera.fov_y_degrees = glm::degrees(2 * std::atan(0.5 * extent / distance));
+  return camera;
+}
+
+class RaycasterTest : public ::testing::Test {
+ protected:
+  Image render(const Scene& scene, const Camera& camera, glm::ivec2 size = {16, 16}) {
+    gl::RenderTarget target(size, false);
+    raycaster.draw(scene, camera, target);
+    return target.read_color();
+  }
+  RenderCounts count(const Scene& scene, const Camera& camera, glm::ivec2 size = {16, 16}) {
+    gl::RenderTarget target(size, true);
+    return raycaster.draw_counted(scene, camera, target);
+  }
+
+  OffscreenContext context;
+  Raycaster raycaster;
+};
+
+}  // namespace crest::testing
