@@ -44,16 +44,21 @@ struct StudioInputs {
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
   std::string performance;          ///< e.g. frame times, for the status bar
+  bool unsaved_changes = false;     ///< of the preset, the camera aside: worth a question before quitting
+  bool close_requested = false;     ///< the window's close button was pressed since the last frame
 };
 
 /// What the person asked for in this frame, other than changes of the document.
 struct StudioRequests {
   std::optional<std::string> open_volume;
   std::optional<std::string> open_preset;  ///< a file, or a name from the library
+  bool new_preset = false;
+  /// To be done before quitting; when it fails, the program does not quit.
   std::optional<std::filesystem::path> save_preset;
   std::array<glm::ivec2, view_count>
       view_pixels{};  ///< size to draw each view at; (0, 0) = it is not visible
-  bool quit = false;
+  bool document_changed = false;  ///< by this frame: an edit, undo or redo
+  bool quit = false;              ///< the person was asked about unsaved changes
   bool reload_shaders = false;
 };
 

@@ -1,0 +1,167 @@
+#include "ui/edit_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/value_axis.h"
+
+namespace crest {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+ControlPoint point_at(double value, const Classified& curve) {
+  ControlPoint point;
+  point.value = value;
+  point.color = curve.color;
+  point.opacity = std::clamp(curve.opacity, 0.0, 1.0);
+  return point;
+}
+
+/// The first point above `value`.
+std::size_t place_after(const std::vector<ControlPoint>& points, double value) {
+  return std::size_t(std::upper_bound(points.begin(), points.end(), value,
+                                      [](double v, const ControlPoint& p) { return v < p.value; }) -
+                     points.begin());
+}
+
+void insert_at(TransferFunction& tf, std::size_t place, std::initializer_list<ControlPoint> points) {
+  tf.points.insert(tf.points.begin() + std::ptrdiff_t(place), points);
+}
+
+bool contains(const Selection& selection, std::size_t i) {
+  return std::binary_search(selection.begin(), selection.end(), i);
+}
+
+ValueRange with_width(ValueRange range) {
+  return range.max > range.min ? range : ValueRange{range.min, range.min + 1};
+}
+
+}  // namespace
+
+std::size_t insert_point(TransferFunction& tf, double value, double opacity) {
+  ControlPoint point = point_at(value, evaluate(tf, value));
+  if (tf.points.empty()) point.color = glm::dvec3(1);
+  point.opacity = std::clamp(opacity, 0.0, 1.0);
+  const std::size_t place = place_after(tf.points, value);
+  insert_at(tf, place, {point});
+  return place;
+}
+
+std::size_t insert_peak(TransferFunction& tf, double value, double opacity, double width, glm::dvec3 color) {
+  const std::size_t place = place_after(tf.points, value);
+  double left = value - width / 2, right = value + width / 2;
+  if (place > 0) left = std::max(left, tf.points[place - 1].value);
+  if (place < tf.points.size()) right = std::min(right, tf.points[place].value);
+  ControlPoint apex = point_at(value, {color, opacity});
+  insert_at(tf, place,
+            {point_at(left, evaluate_right(tf, left)), apex, point_at(right, evaluate_left(tf, right))});
+  return place + 1;
+}
+
+std::size_t insert_step(TransferFunction& tf, double value, double opacity) {
+  const Classified curve = evaluate(tf, value);
+  ControlPoint upper = point_at(value, curve);
+  upper.opacity = std::clamp(opacity, 0.0, 1.0);
+  const std::size_t place = place_after(tf.points, value);
+  insert_at(tf, place, {point_at(value, curve), upper});
+  return place + 1;
+}
+
+std::size_t make_step(TransferFunction& tf, std::size_t point) {
+  ControlPoint lower = tf.points[point];
+  lower.surface = {};
+  lower.unknown.clear();
+  lower.opacity = point > 0 ? tf.points[point - 1].opacity : 0;
+  insert_at(tf, point, {lower});
+  return point + 1;
+}
+
+void erase_points(TransferFunction& tf, const Selection& selection) {
+  std::size_t i = 0;
+  std::erase_if(tf.points, [&](const ControlPoint&) { return contains(selection, i++); });
+}
+
+ValueRange room_of(const std::vector<ControlPoint>& points, std::size_t point, const Selection& selection) {
+  ValueRange room{-infinity, infinity};
+  for (std::size_t i = point; i-- > 0;)
+    if (!contains(selection, i)) {
+      room.min = points[i].value;
+      break;
+    }
+  for (std::size_t i = point + 1; i < points.size(); ++i)
+    if (!contains(selection, i)) {
+      room.max = points[i].value;
+      break;
+    }
+  return room;
+}
+
+std::vector<ControlPoint> moved(const std::vector<ControlPoint>& before, const Selection& selection, double shift,
+                                double resolution) {
+  double least = -infinity, most = infinity;
+  for (const std::size_t i : selection) {
+    const ValueRange room = room_of(before, i, selection);
+    least = std::max(least, room.min - before[i].value);
+    most = std::min(most, room.max - before[i].value);
+  }
+  const double allowed = std::clamp(shift, least, most);
+  std::vector<ControlPoint> points = before;
+  for (const std::size_t i : selection) {
+    const ValueRange room = room_of(before, i, selection);
+    const double target = before[i].value + allowed;
+    points[i].value = std::clamp(round_to_resolution(target, resolution), room.min, room.max);
+  }
+  return points;
+}
+
+void set_peak_width(TransferFunction& tf, const Peak& peak, double width) {
+  auto& points = tf.points;
+  if (!(width >= 0) || peak.right >= points.size() || peak.left >= peak.first_point ||
+      peak.right <= peak.last_point)
+    return;
+  const double low = peak.left > 0 ? points[peak.left - 1].value : -infinity;
+  const double high = peak.right + 1 < points.size() ? points[peak.right + 1].value : infinity;
+  const double first = points[peak.first_point].value, last = points[peak.last_point].value;
+  const double apex = (first + last) / 2;
+  const double old_width = points[peak.right].value - points[peak.left].value;
+  // A spike of no width has no proportions: its flanks go half the width to each side.
+  const auto place = [&](double value, double side) {
+    const double offset = old_width > 0 ? (value - apex) / old_width * width : side * width / 2;
+    return apex + offset;
+  };
+  for (std::size_t i = peak.left; i < peak.first_point; ++i)
+    points[i].value = std::clamp(place(points[i].value, -1), low, high);
+  for (std::size_t i = peak.last_point + 1; i <= peak.right; ++i)
+    points[i].value = std::clamp(place(points[i].value, 1), low, high);
+  if (peak.first_point != peak.last_point)
+    for (std::size_t i = peak.first_point; i <= peak.last_point; ++i)
+      points[i].value = std::clamp(place(points[i].value, 0), low, high);
+}
+
+glm::dvec3 peak_color(std::size_t n) {
+  constexpr double golden = 0.618033988749895;
+  const double hue = std::fmod(0.06 + double(n) * golden, 1.0);
+  const auto channel = [&](double offset) {
+    const double k = std::fmod(offset + hue * 6, 6.0);
+    return 0.98 - 0.68 * std::clamp(std::min(k, 4 - k), 0.0, 1.0);
+  };
+  const auto tidy = [](double v) { return std::round(v * 100) / 100; };
+  return {tidy(channel(5)), tidy(channel(3)), tidy(channel(1))};
+}
+
+ValueRange range_in_domain(const TransferFunction& tf, ValueRange volume_range) {
+  return tf.domain == Domain::normalized ? ValueRange{0, 1} : volume_range;
+}
+
+TransferFunction in_domain(const TransferFunction& tf, Domain domain, ValueRange volume_range) {
+  if (tf.domain == domain) return tf;
+  const ValueRange data = with_width(volume_range), unit{0, 1};
+  TransferFunction result =
+      domain == Domain::data ? remap_values(tf, unit, data) : remap_values(tf, data, unit);
+  result.domain = domain;
+  return result;
+}
+
+}  // namespace crest

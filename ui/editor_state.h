@@ -1,0 +1,40 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+#include <vector>
+
+#include "ui/edit_points.h"
+#include "ui/histogram_cache.h"
+#include "ui/value_axis.h"
+
+namespace crest {
+
+enum class HistogramScale { off, linear, logarithmic };
+
+/// What the mouse is dragging in the editor's plot.
+struct EditorDrag {
+  enum class Kind { none, points, axis, box };
+  Kind kind = Kind::none;
+  ImVec2 start;                      ///< where the button went down
+  bool under_way = false;            ///< moved far enough to be a drag
+  std::vector<ControlPoint> before;  ///< the points as they were
+  Selection selected_before;
+  ValueRange visible, whole;  ///< of the axis, held while points are dragged
+};
+
+/// What belongs to the transfer-function editor and is not in the document.
+struct EditorState {
+  Selection selection;
+  std::optional<ValueRange> visible;  ///< the part of the axis in sight; without it, all
+  OpacityAxis opacity_axis;
+  HistogramScale histogram_scale = HistogramScale::logarithmic;
+  std::optional<double> new_peak_width;  ///< in the TF's values; without it, a share of what is in sight
+  bool peak_rule = false;                ///< the row of fields that say what a peak is
+  EditorDrag drag;
+  HistogramCache histogram;
+  double menu_value = 0, menu_opacity = 0;  ///< where the right-click menu was opened
+};
+
+}  // namespace crest

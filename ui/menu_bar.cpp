@@ -1,0 +1,208 @@
+#include "ui/menu_bar.h"
+
+#include <fmt/format.h>
+
+#include "presets/preset_file.h"
+#include "render/volume/builtin.h"
+#include "ui/keys.h"
+#include "ui/mode_text.h"
+#include "ui/style.h"
+
+namespace crest {
+namespace {
+
+bool item(StudioState& state, const char* text, const char* keys = nullptr, bool enabled = true) {
+  const bool chosen = ImGui::MenuItem(text, keys, false, enabled);
+  note_item(state.widgets, text);
+  return chosen;
+}
+
+bool menu(StudioState& state, const char* text) {
+  const bool open = ImGui::BeginMenu(text);
+  note_item(state.widgets, fmt::format("menu/{}", text));
+  return open;
+}
+
+bool is_preset(const std::string& file) { return file.ends_with(".json"); }
+
+void ask_for(StudioState& state, const Document& document, FilePurpose purpose) {
+  const std::string source = document.volume_source.substr(0, document.volume_source.find('?'));
+  const bool is_file = !source.empty() && !source.starts_with("builtin:");
+  const std::filesystem::path volume = is_file ? source : "";
+  open_file_dialog(state.file_dialog, purpose,
+                   purpose == FilePurpose::open_volume || document.preset_path.empty() ? volume : document.preset_path);
+  if (purpose == FilePurpose::save_preset && document.preset_path.empty()) state.file_dialog.name = "preset.json";
+}
+
+void save(Document& document, StudioState& state, StudioRequests& requests) {
+  if (document.preset_path.empty())
+    ask_for(state, document, FilePurpose::save_preset);
+  else
+    requests.save_preset = document.preset_path;
+}
+
+bool undo(Document& document, StudioState& state) { return state.history.undo(document); }
+bool redo(Document& document, StudioState& state) { return state.history.redo(document); }
+
+void recent_files(StudioState& state, const StudioInputs& inputs, StudioRequests& requests, bool presets) {
+  if (!menu(state, presets ? "Recent presets" : "Recent volumes")) return;
+  bool any = false;
+  for (const std::string& file : inputs.recent) {
+    if (is_preset(file) != presets) continue;
+    any = true;
+    if (item(state, file.c_str())) (presets ? requests.open_preset : requests.open_volume) = file;
+  }
+  if (!any) ImGui::TextDisabled("none yet");
+  ImGui::EndMenu();
+}
+
+void volume_menu(const Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+  if (!menu(state, "Volume")) return;
+  if (item(state, "Open volume...", "Ctrl+O")) ask_for(state, document, FilePurpose::open_volume);
+  recent_files(state, inputs, requests, false);
+  if (menu(state, "Built-in")) {
+    for (const Builtin& builtin : builtins()) {
+      const std::string name(builtin.name);
+      if (item(state, name.c_str())) requests.open_volume = "builtin:" + name;
+      tip(std::string(builtin.summary).c_str());
+    }
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
+  if (item(state, "Quit", "Ctrl+Q")) state.quit_asked = true;
+  ImGui::EndMenu();
+}
+
+void library_menu(StudioState& state, StudioRequests& requests) {
+  if (!menu(state, "Library")) return;
+  for (const LibraryPreset& preset : library()) {
+    const std::string name(preset.name);
+    if (item(state, name.c_str())) requests.open_preset = name;
+  }
+  ImGui::EndMenu();
+}
+
+bool fit_to_volume(Document& document, StudioState& state, const Volume& volume) {
+  TransferFunction& tf = document.preset.transfer_function;
+  if (tf.points.empty() || !(tf.span().width() > 0)) return false;
+  tf = remap_values(tf, tf.span(), range_in_domain(tf, volume.statistics.range));
+  state.editor.visible.reset();
+  return true;
+}
+
+bool convert_domain(Document& document, StudioState& state, const Volume& volume) {
+  TransferFunction& tf = document.preset.transfer_function;
+  tf = in_domain(tf, tf.domain == Domain::data ? Domain::normalized : Domain::data, volume.statistics.range);
+  state.editor.visible.reset();
+  state.editor.new_peak_width.reset();
+  return true;
+}
+
+bool preset_menu(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+  if (!menu(state, "Preset")) return false;
+  bool changed = false;
+  if (item(state, "New")) requests.new_preset = true;
+  if (item(state, "Open preset...", "Ctrl+Shift+O")) ask_for(state, document, FilePurpose::open_preset);
+  recent_files(state, inputs, requests, true);
+  library_menu(state, requests);
+  ImGui::Separator();
+  if (item(state, "Save", "Ctrl+S")) save(document, state, requests);
+  if (item(state, "Save as...", "Ctrl+Shift+S")) ask_for(state, document, FilePurpose::save_preset);
+  ImGui::Separator();
+  const bool normalized = document.preset.transfer_function.domain == Domain::normalized;
+  if (item(state, "Fit to the volume's range", nullptr, inputs.volume != nullptr))
+    changed |= fit_to_volume(document, state, *inputs.volume);
+  if (item(state, normalized ? "Convert to data values" : "Convert to normalized values", nullptr, inputs.volume != nullptr))
+    changed |= convert_domain(document, state, *inputs.volume);
+  ImGui::EndMenu();
+  return changed;
+}
+
+bool edit_menu(Document& document, StudioState& state) {
+  if (!menu(state, "Edit")) return false;
+  bool changed = false;
+  if (item(state, "Undo", "Ctrl+Z", state.history.can_undo(document))) changed |= undo(document, state);
+  if (item(state, "Redo", "Ctrl+Shift+Z", state.history.can_redo())) changed |= redo(document, state);
+  ImGui::EndMenu();
+  return changed;
+}
+
+bool reset_view(Document& document) {
+  const bool changed = document.preset.camera.has_value();
+  document.preset.camera.reset();
+  return changed;
+}
+
+bool view_menu(Document& document, StudioState& state, StudioRequests& requests) {
+  if (!menu(state, "View")) return false;
+  bool changed = false;
+  if (item(state, "Reset view", "R")) changed |= reset_view(document);
+  ImGui::MenuItem("Outline and axes", nullptr, &state.views.outline);
+  ImGui::Separator();
+  if (ImGui::MenuItem("All four views", "Esc", state.views.enlarged < 0)) state.views.enlarged = -1;
+  for (int i = 0; i < view_count; ++i)
+    if (ImGui::MenuItem(mode_text(view_modes[std::size_t(i)]).name, nullptr, state.views.enlarged == i))
+      state.views.enlarged = i;
+  ImGui::Separator();
+  if (item(state, "Reload shaders", "F5")) requests.reload_shaders = true;
+  ImGui::EndMenu();
+  return changed;
+}
+
+/// The preset's name at the right end, with a dot before it while it has changes that are not saved.
+void preset_name(const Document& document, const StudioInputs& inputs) {
+  const std::string& name = document.preset.name;
+  const std::string file = document.preset_path.filename().string();
+  const std::string text = !name.empty() ? name : !file.empty() ? file : "new preset";
+  const float width = ImGui::CalcTextSize(text.c_str()).x + scaled(28);
+  const float x = ImGui::GetWindowWidth() - width;
+  if (x < ImGui::GetCursorPosX()) return;
+  ImGui::SetCursorPosX(x);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (inputs.unsaved_changes)
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x, at.y + ImGui::GetFrameHeight() / 2}, scaled(4), palette::accent);
+  ImGui::SetCursorPosX(x + scaled(10));
+  ImGui::TextDisabled("%s", text.c_str());
+  if (inputs.unsaved_changes) tip("Not saved yet");
+}
+
+}  // namespace
+
+bool menu_bar(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+  if (!ImGui::BeginMainMenuBar()) return false;
+  bool changed = false;
+  volume_menu(document, state, inputs, requests);
+  changed |= preset_menu(document, state, inputs, requests);
+  changed |= edit_menu(document, state);
+  changed |= view_menu(document, state, requests);
+  if (menu(state, "Help")) {
+    if (item(state, "Keys and mouse", "F1")) state.show_help = true;
+    ImGui::EndMenu();
+  }
+  preset_name(document, inputs);
+  ImGui::EndMainMenuBar();
+  return changed;
+}
+
+bool shortcuts(Document& document, StudioState& state, const StudioInputs&, StudioRequests& requests) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return false;
+  if (key_pressed(key_f1)) state.show_help = true;
+  if (key_pressed(key_f5)) requests.reload_shaders = true;
+  if (io.KeyCtrl) {
+    if (key_pressed('O')) ask_for(state, document, io.KeyShift ? FilePurpose::open_preset : FilePurpose::open_volume);
+    if (key_pressed('S') && io.KeyShift) ask_for(state, document, FilePurpose::save_preset);
+    if (key_pressed('S') && !io.KeyShift) save(document, state, requests);
+    if (key_pressed('Q')) state.quit_asked = true;
+    // A field that is being typed in has an undo of its own, and a drag is one step that is not over.
+    if (ImGui::IsAnyItemActive()) return false;
+    if (key_pressed('Z') && !io.KeyShift) return undo(document, state);
+    if (key_pressed('Y') || key_pressed('Z')) return redo(document, state);
+    return false;
+  }
+  if (io.WantTextInput) return false;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) state.views.enlarged = -1;
+  return key_pressed('R') && reset_view(document);
+}
+
+}  // namespace crest

@@ -1,0 +1,126 @@
+#include "ui/peak_table_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/style.h"
+
+namespace crest {
+namespace {
+
+ValueRange bin_range(const PeakTable& table, int bin) {
+  const double width = table.range.width() / table.bins;
+  return {table.range.min + bin * width, table.range.min + (bin + 1) * width};
+}
+
+std::vector<const Peak*> shown_of(std::span<const Peak> peaks) {
+  std::vector<const Peak*> shown;
+  for (const Peak& peak : peaks)
+    if (peak.shown) shown.push_back(&peak);
+  return shown;
+}
+
+std::string range_text(ValueRange range) { return fmt::format("{:.6g} .. {:.6g}", range.min, range.max); }
+
+void cell_tooltip(const PeakTable& table, std::span<const Peak> peaks, int entry, int exit) {
+  ImGui::BeginTooltip();
+  ImGui::TextDisabled("entry");
+  ImGui::SameLine(scaled(48));
+  ImGui::TextUnformatted(range_text(bin_range(table, entry)).c_str());
+  ImGui::TextDisabled("exit");
+  ImGui::SameLine(scaled(48));
+  ImGui::TextUnformatted(range_text(bin_range(table, exit)).c_str());
+  ImGui::Separator();
+  const int count = table.cell(entry, exit).count;
+  if (count == 0) ImGui::TextDisabled("no peak between them");
+  const std::vector<const Peak*> shown = shown_of(peaks);
+  int order = 0;
+  for (const int index : peaks_met(table, entry, exit)) {
+    if (index < 0 || std::size_t(index) >= shown.size()) continue;
+    const Peak& peak = *shown[std::size_t(index)];
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float side = ImGui::GetFontSize();
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side}, packed(peak.color));
+    ImGui::Dummy({side, side});
+    ImGui::SameLine();
+    ImGui::Text("%d.  %s   opacity %s", ++order, short_text(peak.value).c_str(), short_text(peak.opacity).c_str());
+  }
+  if (count > peaks_per_cell)
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error), "%d candidates: the first %d are listed", count,
+                       peaks_per_cell);
+  ImGui::EndTooltip();
+}
+
+void mark_cell(ImVec2 low, float side, const PeakTable& table, int entry, int exit) {
+  const float cell = side / float(table.bins);
+  const ImVec2 corner{low.x + float(entry) * cell, low.y + float(table.bins - 1 - exit) * cell};
+  ImGui::GetWindowDrawList()->AddRect({corner.x - 1, corner.y - 1}, {corner.x + cell + 1, corner.y + cell + 1},
+                                      IM_COL32_WHITE);
+}
+
+void hover_cell(StudioState& state, const StudioInputs& inputs, ImVec2 low, float side) {
+  const PeakTable& table = *inputs.table;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const auto bin = [&](float share) { return std::clamp(int(share * float(table.bins)), 0, table.bins - 1); };
+  const int entry = bin((mouse.x - low.x) / side), exit = bin(1 - (mouse.y - low.y) / side);
+  mark_cell(low, side, table, entry, exit);
+  cell_tooltip(table, inputs.peaks, entry, exit);
+  state.under_cursor = fmt::format("entry {}   exit {}", range_text(bin_range(table, entry)), range_text(bin_range(table, exit)));
+}
+
+void facts(const PeakTable& table) {
+  ImGui::BeginGroup();
+  ImGui::Text("%d x %d", table.bins, table.bins);
+  ImGui::TextDisabled("entry and exit values");
+  ImGui::Spacing();
+  const int largest = table.largest_count();
+  ImGui::Text("%d", largest);
+  ImGui::TextDisabled("%s", largest == 1 ? "peak in the fullest cell" : "peaks in the fullest cell");
+  ImGui::Spacing();
+  ImGui::TextDisabled("A cell has the colour of the");
+  ImGui::TextDisabled("peak that a ray meets first");
+  ImGui::TextDisabled("between the two values.");
+  ImGui::EndGroup();
+}
+
+}  // namespace
+
+void peak_table_panel(StudioState& state, const StudioInputs& inputs) {
+  if (!inputs.table || inputs.table->bins < 1 || inputs.table_texture == 0) {
+    ImGui::TextDisabled("The table of entry and exit values appears with a volume.");
+    return;
+  }
+  const PeakTable& table = *inputs.table;
+  const ImVec2 room = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
+  const float line = ImGui::GetFontSize(), gutter = line + scaled(6), strip = line + scaled(8);
+  const float side = std::floor(std::min(room.x - gutter - scaled(8), room.y - strip - scaled(4)));
+  if (side < scaled(40)) return;
+  const ImVec2 low{corner.x + gutter, corner.y};
+  ImGui::SetCursorScreenPos(low);
+  ImGui::InvisibleButton("##peak table", {side, side});
+  note_item(state.widgets, "peak table");
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddImage(reinterpret_cast<ImTextureID>(inputs.table_texture), low, {low.x + side, low.y + side});
+  list.AddRect(low, {low.x + side, low.y + side}, palette::frame);
+  const auto text_width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+  const std::string least = short_text(table.range.min), most = short_text(table.range.max);
+  const float text_y = low.y + side + scaled(4);
+  list.AddText({low.x, text_y}, palette::dim, least.c_str());
+  list.AddText({low.x + side - text_width(most), text_y}, palette::dim, most.c_str());
+  const bool roomy = text_width(least) + text_width(most) + text_width("entry value") + scaled(16) < side;
+  if (roomy) list.AddText({low.x + (side - text_width("entry value")) / 2, text_y}, palette::dim, "entry value");
+  // Upright letters in a column: Dear ImGui draws no turned text.
+  static constexpr const char* letters[] = {"e", "x", "i", "t"};
+  for (int i = 0; i < 4; ++i)
+    list.AddText({low.x - line, low.y + side / 2 + line * (float(i) - 2)}, palette::dim, letters[i]);
+  if (room.x - gutter - side > scaled(190)) {
+    ImGui::SetCursorScreenPos({low.x + side + scaled(16), low.y});
+    facts(table);
+  }
+  if (hovered) hover_cell(state, inputs, low, side);
+}
+
+}  // namespace crest

@@ -1,0 +1,212 @@
+#include "ui/plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace crest {
+namespace {
+
+constexpr float reach_pixels = 9;
+constexpr float far_away = 1e6F;  // pixels; what lies further off is drawn there
+
+struct CurveVertex {
+  ImVec2 place;
+  glm::dvec3 color;
+};
+
+CurveVertex vertex_at(const Plot& plot, double value, const Classified& c) {
+  return {{plot.x_of(value), plot.y_of(c.opacity)}, c.color};
+}
+
+/// On a logarithmic axis a straight flank is bent: places between its ends, every few pixels.
+void add_bend(std::vector<CurveVertex>& curve, const Plot& plot, double from, double to, const TransferFunction& tf) {
+  const double pixels = (to - from) / plot.axis.value_per_pixel();
+  const int parts = int(std::clamp(pixels / 4, 1.0, 150.0));
+  for (int i = 1; i < parts; ++i) {
+    const double value = from + (to - from) * i / parts;
+    if (value > from && value < to) curve.push_back(vertex_at(plot, value, evaluate(tf, value)));
+  }
+}
+
+/// The curve over the visible part, in order of value.
+std::vector<CurveVertex> curve_of(const Plot& plot, const TransferFunction& tf) {
+  const ValueRange visible = plot.axis.visible;
+  std::vector<CurveVertex> curve{vertex_at(plot, visible.min, evaluate_right(tf, visible.min))};
+  double from = visible.min;
+  const auto bend_to = [&](double to) {
+    if (plot.opacity_axis.logarithmic) add_bend(curve, plot, from, to, tf);
+    from = to;
+  };
+  for (const ControlPoint& point : tf.points)
+    if (point.value > visible.min && point.value < visible.max) {
+      bend_to(point.value);
+      curve.push_back({plot.place(point), point.color});
+    }
+  bend_to(visible.max);
+  curve.push_back(vertex_at(plot, visible.max, evaluate_left(tf, visible.max)));
+  return curve;
+}
+
+/// A strip between the places and the plot's floor, as one mesh.
+void fill_below(ImDrawList& list, float floor, std::span<const CurveVertex> curve, double alpha_top, double alpha_floor) {
+  if (curve.size() < 2) return;
+  const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+  const int quads = int(curve.size()) - 1;
+  list.PrimReserve(quads * 6, quads * 4);
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+    const CurveVertex &a = curve[i], &b = curve[i + 1];
+    const auto first = ImDrawIdx(list._VtxCurrentIdx);
+    for (const int corner : {0, 1, 2, 0, 2, 3}) list.PrimWriteIdx(ImDrawIdx(first + corner));
+    list.PrimWriteVtx(a.place, white, packed(a.color, alpha_top));
+    list.PrimWriteVtx(b.place, white, packed(b.color, alpha_top));
+    list.PrimWriteVtx({b.place.x, floor}, white, packed(b.color, alpha_floor));
+    list.PrimWriteVtx({a.place.x, floor}, white, packed(a.color, alpha_floor));
+  }
+}
+
+void label(ImDrawList& list, ImVec2 place, float align, const char* text, ImU32 color) {
+  const ImVec2 size = ImGui::CalcTextSize(text);
+  list.AddText({std::round(place.x - align * size.x), std::round(place.y)}, color, text);
+}
+
+void draw_opacity_axis(ImDrawList& list, const Plot& plot) {
+  static constexpr double linear[] = {0, 0.25, 0.5, 0.75, 1};
+  static constexpr double decades[] = {0, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1};
+  const auto marks = plot.opacity_axis.logarithmic ? std::span<const double>(decades) : std::span<const double>(linear);
+  const float height = ImGui::GetFontSize();
+  for (const double opacity : marks) {
+    const float y = std::round(plot.y_of(opacity));
+    list.AddLine({plot.low.x, y}, {plot.high.x, y}, palette::grid);
+    const float text_y = std::clamp(y - height / 2, plot.low.y - height / 2, plot.high.y - height * 0.8F);
+    label(list, {plot.low.x - scaled(6), text_y}, 1, short_text(opacity).c_str(), palette::dim);
+  }
+}
+
+void draw_value_axis(ImDrawList& list, const Plot& plot) {
+  const int most = std::max(2, int(plot.axis.pixels / scaled(72)));
+  const AxisTicks ticks = axis_ticks(plot.axis.visible, most);
+  const float text_y = plot.high.y + scaled(5);
+  for (const AxisTicks::Tick& tick : ticks.ticks) {
+    const float x = std::round(plot.x_of(tick.value));
+    list.AddLine({x, plot.low.y}, {x, plot.high.y}, palette::grid);
+    list.AddLine({x, plot.high.y}, {x, plot.high.y + scaled(4)}, palette::faint);
+    const float half = ImGui::CalcTextSize(tick.label.c_str()).x / 2;
+    if (x + half > plot.high.x + scaled(8)) continue;
+    label(list, {x, text_y}, 0.5F, tick.label.c_str(), palette::dim);
+  }
+  if (!ticks.offset.empty())
+    label(list, {plot.high.x, text_y + ImGui::GetFontSize() + scaled(1)}, 1, ticks.offset.c_str(), palette::text);
+}
+
+void draw_diamond(ImDrawList& list, ImVec2 at, float radius, ImU32 color, bool filled) {
+  const ImVec2 corners[] = {
+      {at.x, at.y - radius}, {at.x + radius, at.y}, {at.x, at.y + radius}, {at.x - radius, at.y}};
+  if (filled) list.AddConvexPolyFilled(corners, 4, color);
+  list.AddPolyline(corners, 4, filled ? palette::curve : palette::dim, ImDrawFlags_Closed, 1.2F);
+}
+
+}  // namespace
+
+float Plot::x_of(double value) const {
+  return float(std::clamp(axis.x_of(value), double(low.x) - far_away, double(high.x) + far_away));
+}
+
+std::optional<std::size_t> point_near(const Plot& plot, std::span<const ControlPoint> points, ImVec2 mouse) {
+  std::optional<std::size_t> nearest;
+  const float reach = scaled(reach_pixels);
+  float best = reach * reach;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ImVec2 place = plot.place(points[i]);
+    const float dx = place.x - mouse.x, dy = place.y - mouse.y, distance = dx * dx + dy * dy;
+    if (distance <= best) {
+      best = distance;
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+void draw_axes(ImDrawList& list, const Plot& plot) {
+  list.AddRectFilled(plot.low, plot.high, palette::plot);
+  draw_opacity_axis(list, plot);
+  draw_value_axis(list, plot);
+}
+
+void draw_histogram(ImDrawList& list, const Plot& plot, const HistogramCache& histogram, HistogramScale scale,
+                    LinearMap to_domain) {
+  if (scale == HistogramScale::off || histogram.counts.empty() || histogram.largest == 0) return;
+  const auto share = [&](std::uint64_t count) {
+    const double n = double(count), most = double(histogram.largest);
+    return scale == HistogramScale::linear ? n / most : std::log1p(n) / std::log1p(most);
+  };
+  const double columns = double(histogram.counts.size());
+  const float height = (plot.high.y - plot.low.y) * 0.94F;
+  const glm::dvec3 color = glm::dvec3(54, 62, 76) / 255.0;
+  std::vector<CurveVertex> outline;
+  outline.reserve(histogram.counts.size() * 2);
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    const double from = histogram.range.min + histogram.range.width() * double(i) / columns;
+    const double to = histogram.range.min + histogram.range.width() * double(i + 1) / columns;
+    const float left = plot.x_of(to_domain(from)), right = plot.x_of(to_domain(to));
+    if (right < plot.low.x || left > plot.high.x) continue;
+    const float y = plot.high.y - float(share(histogram.counts[i])) * height;
+    outline.push_back({{left, y}, color});
+    outline.push_back({{std::max(right, left + 1), y}, color});
+  }
+  fill_below(list, plot.high.y, outline, 1, 1);
+}
+
+void draw_curve(ImDrawList& list, const Plot& plot, const TransferFunction& tf) {
+  if (tf.points.empty()) return;
+  const std::vector<CurveVertex> curve = curve_of(plot, tf);
+  fill_below(list, plot.high.y, curve, 0.72, 0.30);
+  std::vector<ImVec2> places;
+  places.reserve(curve.size());
+  for (const CurveVertex& v : curve) places.push_back(v.place);
+  list.AddPolyline(places.data(), int(places.size()), palette::curve, ImDrawFlags_None, 1.5F);
+}
+
+void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, std::span<const Peak> peaks) {
+  float label_end = -far_away;
+  for (const Peak& peak : peaks) {
+    if (peak.last_point >= tf.points.size()) continue;  // found before the last edit
+    const ControlPoint &first = tf.points[peak.first_point], &last = tf.points[peak.last_point];
+    const float x = plot.x_of((first.value + last.value) / 2);
+    if (x < plot.low.x - 1 || x > plot.high.x + 1) continue;
+    const float y = plot.y_of(peak.opacity);
+    const ImU32 stem = peak.shown ? packed(first.color, 0.9) : palette::faint;
+    list.AddLine({x, plot.high.y}, {x, y}, stem, 1.5F);
+    draw_diamond(list, {x, y}, scaled(7), packed(first.color), peak.shown);
+    const std::string text = short_text((first.value + last.value) / 2);
+    const float half = ImGui::CalcTextSize(text.c_str()).x / 2;
+    const float center = std::clamp(x, plot.low.x + half + 2, std::max(plot.low.x + half + 2, plot.high.x - half - 2));
+    if (center - half < label_end) continue;
+    label_end = center + half + scaled(6);
+    const float above = y - scaled(10) - ImGui::GetFontSize();
+    const float text_y = above > plot.low.y ? above : y + scaled(10);
+    label(list, {center, text_y}, 0.5F, text.c_str(), peak.shown ? palette::text : palette::dim);
+  }
+}
+
+void draw_points(ImDrawList& list, const Plot& plot, const TransferFunction& tf, const Selection& selection,
+                 std::optional<std::size_t> hovered) {
+  const bool many = tf.points.size() > 100;
+  for (std::size_t i = 0; i < tf.points.size(); ++i) {
+    const ImVec2 at = plot.place(tf.points[i]);
+    if (at.x < plot.low.x - 8 || at.x > plot.high.x + 8) continue;
+    const bool selected = std::binary_search(selection.begin(), selection.end(), i);
+    const float radius = scaled(selected || hovered == i ? 5.5F : many ? 2.5F : 4.5F);
+    const ImU32 ring = selected ? palette::accent : hovered == i ? IM_COL32_WHITE : palette::curve;
+    const float edge = selected ? scaled(2) : 1;
+    const auto corner = [&](float r) { return std::pair{ImVec2(at.x - r, at.y - r), ImVec2(at.x + r, at.y + r)}; };
+    const auto [outer_low, outer_high] = corner(radius);
+    const auto [inner_low, inner_high] = corner(radius - edge);
+    list.AddRectFilled(outer_low, outer_high, ring);
+    list.AddRectFilled(inner_low, inner_high, packed(tf.points[i].color));
+  }
+}
+
+}  // namespace crest

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+#include <span>
+
+#include "presets/transfer_function.h"
+#include "render/classify/peaks.h"
+#include "ui/editor_state.h"
+
+namespace crest {
+
+/// Where the editor's plot is, and what its axes mean.
+struct Plot {
+  ImVec2 low, high;  ///< corners in pixels, low = top left
+  ValueAxis axis;
+  OpacityAxis opacity_axis;
+
+  float x_of(double value) const;
+  float y_of(double opacity) const { return high.y - float(opacity_axis.unit_of(opacity)) * (high.y - low.y); }
+  double opacity_at(float y) const { return opacity_axis.opacity_at((high.y - y) / (high.y - low.y)); }
+  ImVec2 place(const ControlPoint& point) const { return {x_of(point.value), y_of(point.opacity)}; }
+};
+
+/// The point within reach of the mouse, the nearest one; of several at one place the last.
+std::optional<std::size_t> point_near(const Plot& plot, std::span<const ControlPoint> points, ImVec2 mouse);
+
+/// Background, grid, and the labels of both axes.
+void draw_axes(ImDrawList& list, const Plot& plot);
+/// The counts as one filled shape; `to_domain` maps the volume's values to the axis: v -> offset + scale * v.
+struct LinearMap {
+  double offset = 0, scale = 1;
+  double operator()(double v) const { return offset + scale * v; }
+};
+void draw_histogram(ImDrawList& list, const Plot& plot, const HistogramCache& histogram, HistogramScale scale,
+                    LinearMap to_domain);
+/// The curve, and the area under it in the TF's colours.
+void draw_curve(ImDrawList& list, const Plot& plot, const TransferFunction& tf);
+/// A stem and a diamond for each peak, filled when it is shown as a surface, and its value where there is room.
+void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, std::span<const Peak> peaks);
+void draw_points(ImDrawList& list, const Plot& plot, const TransferFunction& tf, const Selection& selection,
+                 std::optional<std::size_t> hovered);
+
+}  // namespace crest

@@ -1,0 +1,155 @@
+#include "ui/studio.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/menu_bar.h"
+#include "ui/peak_table_panel.h"
+#include "ui/peaks_panel.h"
+#include "ui/questions.h"
+#include "ui/rendering_panel.h"
+#include "ui/status_bar.h"
+#include "ui/style.h"
+#include "ui/transfer_function_editor.h"
+#include "ui/views_panel.h"
+
+namespace crest {
+namespace {
+
+constexpr float least_window = 64;  // pixels; a smaller one is minimized
+constexpr double wheel_pause = 0.4;  // seconds after which a turn of the wheel is over
+
+constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse;
+constexpr ImGuiWindowFlags fixed_child = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+
+/// The gap between two parts, which drags `share` of `length` pixels with it; `sign` is -1 where the part that
+/// has the share lies behind the gap.
+void splitter(const char* name, bool upright, float sign, float& share, float length) {
+  const float gap = scaled(8);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  const ImVec2 size = upright ? ImVec2(gap, std::max(room.y, 1.0F)) : ImVec2(std::max(room.x, 1.0F), gap);
+  ImGui::InvisibleButton(name, size);
+  const bool held = ImGui::IsItemActive(), near = ImGui::IsItemHovered() || held;
+  if (near) ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  if (held) share += sign * (upright ? delta.x : delta.y) / length;
+  const ImU32 color = near ? palette::accent : palette::frame;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float middle = std::floor(gap / 2);
+  if (upright)
+    list.AddRectFilled({at.x + middle, at.y}, {at.x + middle + 1, at.y + size.y}, color);
+  else
+    list.AddRectFilled({at.x, at.y + middle}, {at.x + size.x, at.y + middle + 1}, color);
+}
+
+bool tabs(Document& document, StudioState& state, const StudioInputs& inputs) {
+  bool changed = false;
+  if (!ImGui::BeginTabBar("panels")) return false;
+  const bool peaks = ImGui::BeginTabItem("Peaks");
+  note_item(state.widgets, "tab/Peaks");
+  if (peaks) {
+    const float height = ImGui::GetContentRegionAvail().y;
+    const float rows = float(inputs.peaks.size()) + 1;
+    const float list = std::min(rows * (ImGui::GetFrameHeight() + scaled(7)), height * 0.42F);
+    changed |= peaks_panel(document, state, inputs, std::max(list, scaled(60)));
+    ImGui::Spacing();
+    peak_table_panel(state, inputs);
+    ImGui::EndTabItem();
+  }
+  const bool rendering = ImGui::BeginTabItem("Rendering");
+  note_item(state.widgets, "tab/Rendering");
+  if (rendering) {
+    changed |= rendering_panel(document, state);
+    ImGui::EndTabItem();
+  }
+  ImGui::EndTabBar();
+  return changed;
+}
+
+bool side(Document& document, StudioState& state, const StudioInputs& inputs) {
+  const float height = ImGui::GetContentRegionAvail().y;
+  float& share = state.layout.editor_share;
+  share = std::clamp(share, 0.25F, 0.80F);
+  ImGui::BeginChild("editor", {0, std::floor(height * share)}, false, fixed_child);
+  bool changed = transfer_function_editor(document, state, inputs);
+  ImGui::EndChild();
+  splitter("##editor height", false, 1, share, height);
+  ImGui::BeginChild("tabs");
+  changed |= tabs(document, state, inputs);
+  ImGui::EndChild();
+  return changed;
+}
+
+bool main_area(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests,
+               float height) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  float& share = state.layout.side_share;
+  const float least = std::min(scaled(430) / width, 0.6F);
+  share = std::clamp(share, least, std::max(least, 0.7F));
+  const float side_width = std::floor(width * share);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  ImGui::BeginChild("main", {0, height}, false, fixed_child);
+  ImGui::BeginChild("views", {width - side_width - scaled(16), 0}, false, fixed_child);
+  ImGui::PopStyleVar();
+  bool changed = views_panel(document, state, inputs, requests);
+  ImGui::EndChild();
+  ImGui::SameLine(0, scaled(4));
+  splitter("##side width", true, -1, share, width);
+  ImGui::SameLine(0, scaled(4));
+  ImGui::BeginChild("side", {0, 0}, false, fixed_child);
+  changed |= side(document, state, inputs);
+  ImGui::EndChild();
+  ImGui::EndChild();
+  return changed;
+}
+
+bool studio_window(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+  ImGui::SetNextWindowPos(viewport.WorkPos);
+  ImGui::SetNextWindowSize(viewport.WorkSize);
+  ImGui::Begin("studio", nullptr, fixed_window);
+  const float status = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
+  const float height = std::max(ImGui::GetContentRegionAvail().y - status, 1.0F);
+  const bool changed = main_area(document, state, inputs, requests, height);
+  status_bar(state, inputs);
+  ImGui::End();
+  return changed;
+}
+
+/// Whether the person is in the middle of an edit, which is one step when it ends.
+bool is_editing(const StudioState& state) {
+  if (ImGui::IsAnyItemActive() || ImGui::IsAnyMouseDown()) return true;
+  for (const ImGuiKey key : {ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_UpArrow, ImGuiKey_DownArrow})
+    if (ImGui::IsKeyDown(ImGui::GetKeyIndex(key))) return true;
+  return state.camera_moved >= 0 && ImGui::GetTime() - state.camera_moved < wheel_pause;
+}
+
+}  // namespace
+
+void StudioStateDeleter::operator()(StudioState* state) const { delete state; }
+
+StudioStatePtr make_studio_state() { return StudioStatePtr(new StudioState); }
+
+StudioRequests studio_frame(Document& document, StudioState& state, const StudioInputs& inputs) {
+  StudioRequests requests;
+  state.widgets.items.clear();
+  state.under_cursor.clear();
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  if (display.x < least_window || display.y < least_window) {
+    requests.quit = inputs.close_requested && !inputs.unsaved_changes;
+    return requests;
+  }
+  requests.document_changed |= shortcuts(document, state, inputs, requests);
+  requests.document_changed |= menu_bar(document, state, inputs, requests);
+  requests.document_changed |= studio_window(document, state, inputs, requests);
+  quit_question(document, state, inputs, requests);
+  file_question(state, requests);
+  help_window(state);
+  if (!ImGui::IsAnyItemActive()) state.widgets.typed.clear();
+  if (!is_editing(state)) state.history.record(document);
+  return requests;
+}
+
+}  // namespace crest

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "ui/editor_state.h"
+#include "ui/file_dialog.h"
+#include "ui/history.h"
+#include "ui/studio.h"
+#include "ui/widgets.h"
+
+namespace crest {
+
+struct ViewsState {
+  int enlarged = -1;  ///< the view that fills the grid; -1 = all four
+  bool outline = true;
+};
+
+/// Shares of the window: the rest goes to the views, and to the panels below the editor.
+struct LayoutState {
+  float side_share = 0.35F;    ///< of the width, for the panels
+  float editor_share = 0.50F;  ///< of the side's height, for the transfer-function editor
+};
+
+struct StudioState {
+  WidgetState widgets;
+  History history;
+  EditorState editor;
+  ViewsState views;
+  LayoutState layout;
+  FileDialog file_dialog;
+  bool show_help = false;
+  bool quit_asked = false;   ///< the person wants to leave; the question is open, or about to be
+  bool quit_after_save = false;
+  double camera_moved = -1;  ///< when the wheel last moved the camera, in Dear ImGui's seconds
+  std::string under_cursor;  ///< what the status bar tells of the place under the mouse
+};
+
+}  // namespace crest

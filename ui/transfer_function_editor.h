@@ -1,0 +1,17 @@
+#pragma once
+
+#include "ui/studio_state.h"
+
+namespace crest {
+
+/// The transfer function: fields of the selected point, the plot, and what the opacities mean. Returns
+/// whether it changed the document.
+bool transfer_function_editor(Document& document, StudioState& state, const StudioInputs& inputs);
+
+/// Shows the selected points, or all there is.
+void frame_selection(const Document& document, EditorState& editor, const StudioInputs& inputs);
+
+/// What the value axis can show: the volume's range and the points, with a margin.
+ValueRange axis_range(const TransferFunction& tf, const Volume* volume);
+
+}  // namespace crest

@@ -1,0 +1,45 @@
+#include "ui/view_overlay.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "ui/camera_control.h"
+
+namespace crest {
+namespace {
+
+constexpr ImU32 edge_color = IM_COL32(150, 158, 170, 70);
+constexpr ImU32 axis_colors[3] = {IM_COL32(226, 110, 100, 220), IM_COL32(122, 196, 110, 220),
+                                  IM_COL32(110, 156, 236, 220)};
+constexpr const char* axis_names[3] = {"x", "y", "z"};
+
+bool is_sane(ImVec2 p) { return std::abs(p.x) < 1e6F && std::abs(p.y) < 1e6F; }
+
+}  // namespace
+
+void draw_outline(ImDrawList& list, const Camera& camera, const Grid& grid, ImVec2 low, ImVec2 size) {
+  const glm::dvec3 corners[2] = {grid.box_min(), grid.box_max()};
+  const auto corner = [&](int bits) {
+    return glm::dvec3(corners[bits & 1].x, corners[bits >> 1 & 1].y, corners[bits >> 2 & 1].z);
+  };
+  const auto pixel = [&](glm::dvec2 p) {
+    return ImVec2(low.x + size.x * float(p.x + 1) / 2, low.y + size.y * float(1 - p.y) / 2);
+  };
+  const auto line = [&](glm::dvec3 from, glm::dvec3 to, ImU32 color, float width) -> std::optional<ImVec2> {
+    const auto ends = project_segment(camera, double(size.x / size.y), from, to);
+    if (!ends) return std::nullopt;
+    const ImVec2 a = pixel(ends->first), b = pixel(ends->second);
+    if (!is_sane(a) || !is_sane(b)) return std::nullopt;
+    list.AddLine(a, b, color, width);
+    return b;
+  };
+  for (int from = 1; from < 8; ++from)  // the edges at corner 0 are the axes
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(from >> axis & 1)) line(corner(from), corner(from | 1 << axis), edge_color, 1);
+  for (int axis = 0; axis < 3; ++axis)
+    if (const auto end = line(corner(0), corner(1 << axis), axis_colors[axis], 1.5F))
+      list.AddText({end->x + 4, end->y - ImGui::GetFontSize() / 2}, axis_colors[axis], axis_names[axis]);
+}
+
+}  // namespace crest

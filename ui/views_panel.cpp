@@ -1,0 +1,144 @@
+#include "ui/views_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "ui/camera_control.h"
+#include "ui/mode_text.h"
+#include "ui/style.h"
+#include "ui/view_overlay.h"
+
+namespace crest {
+namespace {
+
+constexpr double turn_per_pixel = 0.008;  // radians
+constexpr double dolly_per_notch = 0.88;
+constexpr float least_view = 24;  // pixels
+
+std::string cost_text(const ViewPicture& view) {
+  if (view.frame_ms <= 0) return "";
+  std::string text = view.frame_ms < 100 ? fmt::format("{:.1f} ms", view.frame_ms) : fmt::format("{:.0f} ms", view.frame_ms);
+  if (view.samples_per_ray > 0)
+    text += fmt::format("   {:.1f} samples/ray, {:.1f} DVR", view.samples_per_ray, view.dvr_samples_per_ray);
+  return text;
+}
+
+void right_aligned(const char* text, float right) {
+  const float width = ImGui::CalcTextSize(text).x;
+  ImGui::SameLine(std::max(0.0F, right - width));
+  ImGui::TextDisabled("%s", text);
+}
+
+/// The name, what it costs, and what it shows.
+void caption(int index, StudioState& state, const ViewPicture& view) {
+  const ModeText& text = mode_text(view_modes[std::size_t(index)]);
+  const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX();
+  const bool enlarged = state.views.enlarged == index;
+  ImGui::TextUnformatted(text.name);
+  const float button = ImGui::CalcTextSize("restore").x + scaled(10);
+  const std::string cost = cost_text(view);
+  const float cost_room = width - button - scaled(8) - ImGui::CalcTextSize(text.name).x - scaled(12);
+  if (!cost.empty() && ImGui::CalcTextSize(cost.c_str()).x < cost_room)
+    right_aligned(cost.c_str(), start + width - button - scaled(8));
+  ImGui::SameLine(start + width - button);
+  if (ImGui::SmallButton(enlarged ? "restore" : "enlarge")) state.views.enlarged = enlarged ? -1 : index;
+  note_item(state.widgets, fmt::format("enlarge{}", index));
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
+  ImGui::TextUnformatted(text.explanation);
+  ImGui::PopStyleColor();
+}
+
+double size_of_box(const Volume* volume) { return volume ? glm::length(volume->grid.box_size()) : 1; }
+
+bool move_camera(Document& document, StudioState& state, const StudioInputs& inputs, float height) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Camera before = document.preset.camera.value_or(inputs.camera);
+  Camera camera = before;
+  const glm::dvec2 shift(io.MouseDelta.x, io.MouseDelta.y);
+  if (ImGui::IsItemActive() && shift != glm::dvec2(0)) {
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left) && !io.KeyShift)
+      camera = orbit(camera, -shift.x * turn_per_pixel, shift.y * turn_per_pixel);
+    else
+      camera = pan(camera, glm::dvec2(shift.x, -shift.y) / double(height));
+  }
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+    const double size = size_of_box(inputs.volume);
+    camera = dolly(camera, std::pow(dolly_per_notch, double(io.MouseWheel)), size * 1e-4, size * 1e3);
+    state.camera_moved = ImGui::GetTime();
+  }
+  if (camera == before) return false;
+  document.preset.camera = camera;
+  return true;
+}
+
+void picture(const StudioState& state, const StudioInputs& inputs, const ViewPicture& view, ImVec2 low, ImVec2 size) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 high{low.x + size.x, low.y + size.y};
+  if (view.texture != 0)
+    list.AddImage(reinterpret_cast<ImTextureID>(view.texture), low, high);
+  else
+    list.AddRectFilled(low, high, palette::plot);
+  list.PushClipRect(low, high, true);
+  if (inputs.volume && state.views.outline) draw_outline(list, inputs.camera, inputs.volume->grid, low, size);
+  if (!inputs.volume) {
+    const char* hint = "Volume > Open, or drop a file here";
+    const ImVec2 text = ImGui::CalcTextSize(hint);
+    list.AddText({low.x + (size.x - text.x) / 2, low.y + (size.y - text.y) / 2}, palette::faint, hint);
+  }
+  if (view.texture != 0 && (view.coarseness > 1 || view.progress < 1)) {
+    const std::string hint = view.coarseness > 1 ? fmt::format("coarse 1:{}", view.coarseness) : "refining";
+    list.AddText({low.x + scaled(8), high.y - ImGui::GetFontSize() - scaled(8)}, palette::dim, hint.c_str());
+    const float done = size.x * float(std::clamp(view.progress, 0.0, 1.0));
+    list.AddRectFilled({low.x, high.y - scaled(2)}, {low.x + done, high.y}, palette::accent);
+  }
+  list.PopClipRect();
+}
+
+bool view(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests, int index,
+          ImVec2 corner, ImVec2 size) {
+  const std::size_t i = std::size_t(index);
+  ImGui::PushID(index);
+  ImGui::SetCursorScreenPos(corner);
+  ImGui::BeginChild("view", size, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  caption(index, state, inputs.views[i]);
+  bool changed = false;
+  const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  const ImVec2 image{std::floor(room.x), std::floor(room.y)};
+  if (image.x >= least_view && image.y >= least_view) {
+    const ImVec2 pixel = ImGui::GetIO().DisplayFramebufferScale;
+    requests.view_pixels[i] = {int(image.x * std::max(pixel.x, 1.0F)), int(image.y * std::max(pixel.y, 1.0F))};
+    ImGui::InvisibleButton("##picture", image,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    note_item(state.widgets, fmt::format("view{}", index));
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+      state.views.enlarged = state.views.enlarged == index ? -1 : index;
+    else if (inputs.volume)
+      changed = move_camera(document, state, inputs, image.y);
+    picture(state, inputs, inputs.views[i], low, image);
+  }
+  ImGui::EndChild();
+  ImGui::PopID();
+  return changed;
+}
+
+}  // namespace
+
+bool views_panel(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  const int enlarged = state.views.enlarged;
+  if (enlarged >= 0) return view(document, state, inputs, requests, enlarged, corner, room);
+  const float gap = scaled(8);
+  const ImVec2 size{std::floor((room.x - gap) / 2), std::floor((room.y - gap) / 2)};
+  if (size.x < 8 || size.y < 8) return false;
+  bool changed = false;
+  for (int i = 0; i < view_count; ++i)
+    changed |= view(document, state, inputs, requests, i,
+                    {corner.x + float(i % 2) * (size.x + gap), corner.y + float(i / 2) * (size.y + gap)}, size);
+  return changed;
+}
+
+}  // namespace crest

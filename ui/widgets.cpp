@@ -1,0 +1,111 @@
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+
+namespace crest {
+namespace {
+
+std::optional<double> number_in(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || !std::isfinite(value)) return std::nullopt;
+  while (*end == ' ') ++end;
+  return *end == '\0' ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+void note_item(WidgetState& state, std::string name) {
+  state.items[std::move(name)] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+}
+
+std::string exact_text(double value) { return fmt::format("{}", value == 0 ? 0.0 : value); }
+std::string short_text(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
+
+bool number_field(WidgetState& state, const char* name, double& value, ValueRange limits, float width) {
+  const ImGuiID id = ImGui::GetID(name);
+  const auto found = state.typed.find(id);
+  std::string text = found != state.typed.end() ? found->second : exact_text(value);
+  ImGui::SetNextItemWidth(width);
+  ImGui::InputText(name, &text, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
+  note_item(state, name);
+  if (ImGui::IsItemActive()) {
+    state.typed[id] = text;
+    return false;
+  }
+  if (found == state.typed.end()) return false;
+  state.typed.erase(found);
+  if (text == exact_text(value)) return false;
+  const std::optional<double> typed = number_in(text);
+  if (!typed) return false;
+  const double before = std::exchange(value, std::clamp(*typed, limits.min, limits.max));
+  return value != before;
+}
+
+bool integer_field(WidgetState& state, const char* name, int& value, int least, int most, float width) {
+  double number = value;
+  if (!number_field(state, name, number, {double(least), double(most)}, width)) return false;
+  const int before = std::exchange(value, int(std::lround(number)));
+  return value != before;
+}
+
+bool color_square(WidgetState& state, const char* name, glm::dvec3& color) {
+  float rgb[3] = {float(color.r), float(color.g), float(color.b)};
+  const bool changed = ImGui::ColorEdit3(name, rgb, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
+  note_item(state, name);
+  if (changed) color = glm::clamp(glm::dvec3(rgb[0], rgb[1], rgb[2]), 0.0, 1.0);
+  return changed;
+}
+
+bool color_picker(const char* name, glm::dvec3& color) {
+  float rgb[3] = {float(color.r), float(color.g), float(color.b)};
+  if (!ImGui::ColorPicker3(name, rgb, ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview))
+    return false;
+  color = glm::clamp(glm::dvec3(rgb[0], rgb[1], rgb[2]), 0.0, 1.0);
+  return true;
+}
+
+bool choice(WidgetState& state, const char* name, int& value, std::initializer_list<const char*> names, float width) {
+  const int count = int(names.size());
+  const char* shown = value >= 0 && value < count ? names.begin()[value] : "";
+  bool changed = false;
+  ImGui::SetNextItemWidth(width);
+  const bool open = ImGui::BeginCombo(name, shown);
+  note_item(state, name);
+  if (!open) return false;
+  for (int i = 0; i < count; ++i) {
+    if (ImGui::Selectable(names.begin()[i], i == value) && i != value) {
+      value = i;
+      changed = true;
+    }
+    note_item(state, fmt::format("{}/{}", name, names.begin()[i]));
+  }
+  ImGui::EndCombo();
+  return changed;
+}
+
+void field_label(const char* text) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", text);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+}
+
+void tip(const char* text) {
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+
+ImU32 packed(glm::dvec3 color, double alpha) {
+  const auto byte = [](double v) { return v > 0 ? ImU32(std::lround(255 * std::min(v, 1.0))) : 0u; };
+  return IM_COL32(byte(color.r), byte(color.g), byte(color.b), byte(alpha));
+}
+
+float scaled(float pixels) { return pixels * ImGui::GetFontSize() / 14; }
+
+}  // namespace crest
