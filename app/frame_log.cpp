@@ -12,7 +12,8 @@ nlohmann::ordered_json summarise(std::vector<double> values) {
   if (values.empty()) return {{"count", 0}};
   std::ranges::sort(values);
   const auto quantile = [&](double q) { return values[std::size_t(q * double(values.size() - 1) + 0.5)]; };
-  return {{"count", values.size()}, {"median", quantile(0.5)}, {"p95", quantile(0.95)}, {"max", values.back()}};
+  return {
+      {"count", values.size()}, {"median", quantile(0.5)}, {"p95", quantile(0.95)}, {"max", values.back()}};
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 
 namespace crest {
 
-/// How live the window is: the time of each frame while a mouse button is held, and how long each view takes from
-/// an edit until it shows it.
+/// How live the window is: the time of each frame while a mouse button is held, and how long each view takes
+/// from an edit until it shows it.
 class FrameLog {
  public:
   using Clock = std::chrono::steady_clock;

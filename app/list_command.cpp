@@ -8,7 +8,7 @@
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
 #include "render/volume/load.h"
-
+#include "ui/mode_text.h"
 
 namespace crest {
 namespace {
@@ -29,7 +29,7 @@ void list_formats() {
 
 void list_methods() {
   for (const Mode mode : {Mode::both, Mode::dvr_only, Mode::peak_only, Mode::peak_xor_dvr})
-    fmt::print("--mode {:<14} {}\n", name_of(mode), "");
+    fmt::print("--mode {:<14} {}\n", name_of(mode), mode_text(mode).explanation);
 }
 
 void list_presets() {

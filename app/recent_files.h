@@ -5,8 +5,9 @@
 
 namespace crest {
 
-/// The volumes and presets that were opened last, newest first, kept in $XDG_CONFIG_HOME/crest (or ~/.config/crest).
-/// What cannot be read or written there is no error: the list is then empty, or lives only as long as the program.
+/// The volumes and presets that were opened last, newest first, kept in $XDG_CONFIG_HOME/crest (or
+/// ~/.config/crest). What cannot be read or written there is no error: the list is then empty, or lives only
+/// as long as the program.
 class RecentFiles {
  public:
   RecentFiles();

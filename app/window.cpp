@@ -18,7 +18,8 @@ namespace crest {
 namespace {
 
 GLFWwindow* create_window(const std::string& title, int width, int height) {
-  if (!glfwInit()) throw Error("no display to open a window on (set DISPLAY, or use crest compare for pictures)");
+  if (!glfwInit())
+    throw Error("no display to open a window on (set DISPLAY, or use crest compare for pictures)");
   int x = 0, y = 0, available_width = width, available_height = height;
   if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
     glfwGetMonitorWorkarea(monitor, &x, &y, &available_width, &available_height);
@@ -34,10 +35,25 @@ GLFWwindow* create_window(const std::string& title, int width, int height) {
   return window;
 }
 
-/// The member of the Window that a callback of `window` is for.
-template <class T>
-T& of(GLFWwindow* window, T Window::*member) {
-  return static_cast<Window*>(glfwGetWindowUserPointer(window))->*member;
+WindowInput& input_of(GLFWwindow* window) { return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window)); }
+
+void note_input(GLFWwindow* window) { input_of(window).any = true; }
+
+/// Dear ImGui's callbacks are installed later, and call these.
+void note_all_input(GLFWwindow* window, WindowInput& input) {
+  glfwSetWindowUserPointer(window, &input);
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { note_input(w); });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { note_input(w); });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { note_input(w); });
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int, int, int, int) { note_input(w); });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { note_input(w); });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { note_input(w); });
+  glfwSetWindowRefreshCallback(window, note_input);
+  glfwSetWindowCloseCallback(window, note_input);
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    note_input(w);
+    for (int i = 0; i < count; ++i) input_of(w).dropped.emplace_back(paths[i]);
+  });
 }
 
 }  // namespace
@@ -46,22 +62,7 @@ Window::Window(const std::string& title, int width, int height)
     : window_(create_window(title, width, height)), title_(title) {
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
-  glfwSetWindowUserPointer(window_, this);
-  // Our callbacks first: Dear ImGui chains to them
-  constexpr auto note_input = [](GLFWwindow* w) { of(w, &Window::had_input_) = true; };
-  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { note_input(w); });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { note_input(w); });
-  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { note_input(w); });
-  glfwSetKeyCallback(window_, [](GLFWwindow* w, int, int, int, int) { note_input(w); });
-  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { note_input(w); });
-  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { note_input(w); });
-  glfwSetWindowRefreshCallback(window_, note_input);
-  glfwSetWindowCloseCallback(window_, note_input);
-  glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
-    note_input(w);
-    for (int i = 0; i < count; ++i) of(w, &Window::dropped_).emplace_back(paths[i]);
-  });
-
+  note_all_input(window_, input_);
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // the layout is ours; nothing is left in the folder
   ImGui_ImplGlfw_InitForOpenGL(window_, true);
@@ -108,14 +109,20 @@ bool Window::take_close_request() {
   return requested;
 }
 
-std::vector<std::string> Window::take_dropped() { return std::exchange(dropped_, {}); }
+std::vector<std::string> Window::take_dropped() { return std::exchange(input_.dropped, {}); }
 
-bool Window::had_input() { return std::exchange(had_input_, false); }
+bool Window::had_input() { return std::exchange(input_.any, false); }
 
 bool Window::is_mouse_down() const {
   for (const int button : {GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_RIGHT, GLFW_MOUSE_BUTTON_MIDDLE})
     if (glfwGetMouseButton(window_, button) == GLFW_PRESS) return true;
   return false;
+}
+
+float Window::content_scale() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return x;
 }
 
 void Window::set_title(const std::string& title) {

@@ -7,6 +7,12 @@ struct GLFWwindow;
 
 namespace crest {
 
+/// What came in since it was last asked for.
+struct WindowInput {
+  bool any = true;
+  std::vector<std::string> dropped;  ///< files
+};
+
 /// The studio's window: GLFW with an OpenGL 4.5 core context, and Dear ImGui in it.
 class Window {
  public:
@@ -21,17 +27,17 @@ class Window {
   void begin_frame();
   void end_frame();
 
-  bool take_close_request();                 ///< true once after the close button was pressed
-  std::vector<std::string> take_dropped();   ///< files dropped since the last call
-  bool had_input();                          ///< since the last call
+  bool take_close_request();                ///< true once after the close button was pressed
+  std::vector<std::string> take_dropped();  ///< files dropped since the last call
+  bool had_input();                         ///< since the last call
   bool is_mouse_down() const;
+  float content_scale() const;  ///< 2 on a screen of twice the usual density
   void set_title(const std::string& title);
 
  private:
   GLFWwindow* window_ = nullptr;
-  std::vector<std::string> dropped_;
+  WindowInput input_;
   std::string title_;
-  bool had_input_ = true;
 };
 
 /// Whether there is a display that a window could open on.

@@ -15,16 +15,9 @@ ValueRange bin_range(const PeakTable& table, int bin) {
   return {table.range.min + bin * width, table.range.min + (bin + 1) * width};
 }
 
-std::vector<const Peak*> shown_of(std::span<const Peak> peaks) {
-  std::vector<const Peak*> shown;
-  for (const Peak& peak : peaks)
-    if (peak.shown) shown.push_back(&peak);
-  return shown;
-}
-
 std::string range_text(ValueRange range) { return fmt::format("{:.6g} .. {:.6g}", range.min, range.max); }
 
-void cell_tooltip(const PeakTable& table, std::span<const Peak> peaks, int entry, int exit) {
+void cell_tooltip(const PeakTable& table, std::span<const Peak> surfaces, int entry, int exit) {
   ImGui::BeginTooltip();
   ImGui::TextDisabled("entry");
   ImGui::SameLine(scaled(48));
@@ -35,29 +28,29 @@ void cell_tooltip(const PeakTable& table, std::span<const Peak> peaks, int entry
   ImGui::Separator();
   const int count = table.cell(entry, exit).count;
   if (count == 0) ImGui::TextDisabled("no peak between them");
-  const std::vector<const Peak*> shown = shown_of(peaks);
   int order = 0;
   for (const int index : peaks_met(table, entry, exit)) {
-    if (index < 0 || std::size_t(index) >= shown.size()) continue;
-    const Peak& peak = *shown[std::size_t(index)];
+    if (index < 0 || std::size_t(index) >= surfaces.size()) continue;
+    const Peak& peak = surfaces[std::size_t(index)];
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float side = ImGui::GetFontSize();
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side}, packed(peak.color));
     ImGui::Dummy({side, side});
     ImGui::SameLine();
-    ImGui::Text("%d.  %s   opacity %s", ++order, short_text(peak.value).c_str(), short_text(peak.opacity).c_str());
+    ImGui::Text("%d.  %s   opacity %s", ++order, short_text(peak.value).c_str(),
+                short_text(peak.opacity).c_str());
   }
   if (count > peaks_per_cell)
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error), "%d candidates: the first %d are listed", count,
-                       peaks_per_cell);
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error),
+                       "%d candidates: the first %d are listed", count, peaks_per_cell);
   ImGui::EndTooltip();
 }
 
 void mark_cell(ImVec2 low, float side, const PeakTable& table, int entry, int exit) {
   const float cell = side / float(table.bins);
   const ImVec2 corner{low.x + float(entry) * cell, low.y + float(table.bins - 1 - exit) * cell};
-  ImGui::GetWindowDrawList()->AddRect({corner.x - 1, corner.y - 1}, {corner.x + cell + 1, corner.y + cell + 1},
-                                      IM_COL32_WHITE);
+  ImGui::GetWindowDrawList()->AddRect({corner.x - 1, corner.y - 1},
+                                      {corner.x + cell + 1, corner.y + cell + 1}, IM_COL32_WHITE);
 }
 
 void hover_cell(StudioState& state, const StudioInputs& inputs, ImVec2 low, float side) {
@@ -66,8 +59,9 @@ void hover_cell(StudioState& state, const StudioInputs& inputs, ImVec2 low, floa
   const auto bin = [&](float share) { return std::clamp(int(share * float(table.bins)), 0, table.bins - 1); };
   const int entry = bin((mouse.x - low.x) / side), exit = bin(1 - (mouse.y - low.y) / side);
   mark_cell(low, side, table, entry, exit);
-  cell_tooltip(table, inputs.peaks, entry, exit);
-  state.under_cursor = fmt::format("entry {}   exit {}", range_text(bin_range(table, entry)), range_text(bin_range(table, exit)));
+  cell_tooltip(table, inputs.surfaces, entry, exit);
+  state.under_cursor = fmt::format("entry {}   exit {}", range_text(bin_range(table, entry)),
+                                   range_text(bin_range(table, exit)));
 }
 
 void facts(const PeakTable& table) {
@@ -111,7 +105,8 @@ void peak_table_panel(StudioState& state, const StudioInputs& inputs) {
   list.AddText({low.x, text_y}, palette::dim, least.c_str());
   list.AddText({low.x + side - text_width(most), text_y}, palette::dim, most.c_str());
   const bool roomy = text_width(least) + text_width(most) + text_width("entry value") + scaled(16) < side;
-  if (roomy) list.AddText({low.x + (side - text_width("entry value")) / 2, text_y}, palette::dim, "entry value");
+  if (roomy)
+    list.AddText({low.x + (side - text_width("entry value")) / 2, text_y}, palette::dim, "entry value");
   // Upright letters in a column: Dear ImGui draws no turned text.
   static constexpr const char* letters[] = {"e", "x", "i", "t"};
   for (int i = 0; i < 4; ++i)

@@ -27,7 +27,9 @@ bool rendering_panel(Document& document, StudioState& state) {
   bool changed = false;
   row("Step", "Length of a ray's steps, in the smallest spacing of the volume");
   changed |= number_field(widgets, "##step", r.step, {least_step, largest_step}, field);
-  row("Peak form", "How a step with crossings is integrated:\nsplit - divided at its crossings (second order)\npaper - as published (first order)");
+  row("Peak form",
+      "How a step with crossings is integrated:\nsplit - divided at its crossings (second order)\npaper - as "
+      "published (first order)");
   changed |= choice(widgets, "##peak form", r.peak_form, {"split", "paper"}, field);
   row("Most peaks a step", "Crossings that one step composites at most");
   changed |= integer_field(widgets, "##max peaks", r.max_peaks, 1, 64, field);

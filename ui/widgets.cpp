@@ -1,6 +1,7 @@
 #include "ui/widgets.h"
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -58,7 +59,8 @@ bool integer_field(WidgetState& state, const char* name, int& value, int least, 
 
 bool color_square(WidgetState& state, const char* name, glm::dvec3& color) {
   float rgb[3] = {float(color.r), float(color.g), float(color.b)};
-  const bool changed = ImGui::ColorEdit3(name, rgb, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
+  const bool changed =
+      ImGui::ColorEdit3(name, rgb, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
   note_item(state, name);
   if (changed) color = glm::clamp(glm::dvec3(rgb[0], rgb[1], rgb[2]), 0.0, 1.0);
   return changed;
@@ -72,7 +74,8 @@ bool color_picker(const char* name, glm::dvec3& color) {
   return true;
 }
 
-bool choice(WidgetState& state, const char* name, int& value, std::initializer_list<const char*> names, float width) {
+bool choice(WidgetState& state, const char* name, int& value, std::initializer_list<const char*> names,
+            float width) {
   const int count = int(names.size());
   const char* shown = value >= 0 && value < count ? names.begin()[value] : "";
   bool changed = false;

@@ -18,6 +18,7 @@ struct Peak {
   bool detected = false;                        ///< by the peak rule
   bool shown = false;  ///< as a surface: detected or switched on, and not switched off
   bool spike = false;  ///< detected, and no wider than the TF's spike_width
+  bool operator==(const Peak&) const = default;
 };
 
 /// All peaks, and all points that are switched on, by ascending value; also those not shown, to be listed.
