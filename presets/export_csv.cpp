@@ -77,7 +77,7 @@ std::string csv_losses(const TransferFunction& tf, const ExportOptions& options)
         "{} rows are {} apart: the opacity is off by up to {:.3g} at the control points (at {})\n",
         rows.count, rows.spacing(), largest_error, at_value);
   if (const int count = peaks_between_rows(tf, rows.spacing()))
-    losses += fmt::format("{} peaks are narrower than the distance of two rows\n", count);
+    losses += fmt::format("peaks narrower than the distance of two rows: {}\n", count);
   return losses + surface_losses(tf);
 }
 

@@ -35,7 +35,9 @@ std::string unit_distance_text(const TransferFunction& tf) {
 std::string surface_losses(const TransferFunction& tf) {
   const auto count = std::count_if(tf.points.begin(), tf.points.end(),
                                    [](const ControlPoint& p) { return p.surface != Surface{}; });
-  return count == 0 ? "" : fmt::format("the surface settings of {} points are not in the file\n", count);
+  return count == 0
+             ? ""
+             : fmt::format("surface settings are not in the file (points that have them: {})\n", count);
 }
 
 }  // namespace crest
