@@ -35,9 +35,7 @@ Basis basis_of(const Camera& camera) {
   return b;
 }
 
-double half_height(const Camera& camera) {
-  return std::tan(camera.fov_y_degrees * std::numbers::pi / 360);
-}
+double half_height(const Camera& camera) { return std::tan(camera.fov_y_degrees * std::numbers::pi / 360); }
 
 }  // namespace
 

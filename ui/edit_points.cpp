@@ -98,8 +98,8 @@ ValueRange room_of(const std::vector<ControlPoint>& points, std::size_t point, c
   return room;
 }
 
-std::vector<ControlPoint> moved(const std::vector<ControlPoint>& before, const Selection& selection, double shift,
-                                double resolution) {
+std::vector<ControlPoint> moved(const std::vector<ControlPoint>& before, const Selection& selection,
+                                double shift, double resolution) {
   double least = -infinity, most = infinity;
   for (const std::size_t i : selection) {
     const ValueRange room = room_of(before, i, selection);

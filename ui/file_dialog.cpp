@@ -21,9 +21,8 @@ struct Wording {
   const char* button;
   const char* extension;
 };
-constexpr Wording wordings[] = {{"Open a volume", "Open", ""},
-                                {"Open a preset", "Open", ".json"},
-                                {"Save the preset", "Save", ".json"}};
+constexpr Wording wordings[] = {
+    {"Open a volume", "Open", ""}, {"Open a preset", "Open", ".json"}, {"Save the preset", "Save", ".json"}};
 
 const Wording& wording(FilePurpose purpose) { return wordings[int(purpose)]; }
 
@@ -56,7 +55,8 @@ void enter(FileDialog& dialog, const fs::path& folder) {
   dialog.error.clear();
   dialog.folder = target;
   dialog.entries.clear();
-  for (; files != fs::directory_iterator() && dialog.entries.size() < most_entries; files.increment(failure)) {
+  for (; files != fs::directory_iterator() && dialog.entries.size() < most_entries;
+       files.increment(failure)) {
     if (failure) break;
     std::error_code ignored;
     FileDialog::Entry entry{files->path().filename().string(), files->is_directory(ignored), 0};
@@ -111,12 +111,14 @@ std::optional<std::string> take(FileDialog& dialog) {
 
 bool passes(const FileDialog& dialog, const FileDialog::Entry& entry) {
   const bool extension = entry.folder || entry.name.ends_with(wording(dialog.purpose).extension);
-  return extension && (dialog.filter.empty() || lower(entry.name).find(lower(dialog.filter)) != std::string::npos);
+  return extension &&
+         (dialog.filter.empty() || lower(entry.name).find(lower(dialog.filter)) != std::string::npos);
 }
 
 std::optional<std::string> list_of_files(FileDialog& dialog, WidgetState& widgets, float height) {
   std::optional<std::string> chosen;
-  constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
+  constexpr ImGuiTableFlags flags =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   if (!ImGui::BeginTable("files", 2, flags, {0, height})) return chosen;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, scaled(80));
@@ -153,7 +155,8 @@ std::optional<std::string> list_of_files(FileDialog& dialog, WidgetState& widget
 /// The question before a file is overwritten.
 std::optional<std::string> replace_question(FileDialog& dialog, WidgetState& widgets) {
   std::optional<std::string> chosen;
-  ImGui::TextUnformatted(fmt::format("{} exists. Replace it?", dialog.to_replace->filename().string()).c_str());
+  ImGui::TextUnformatted(
+      fmt::format("{} exists. Replace it?", dialog.to_replace->filename().string()).c_str());
   ImGui::SameLine();
   if (ImGui::Button("Replace")) {
     chosen = dialog.to_replace->string();
@@ -175,7 +178,8 @@ std::optional<std::string> buttons(FileDialog& dialog, WidgetState& widgets) {
     ImGui::SameLine();
   }
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, ImGui::GetContentRegionAvail().x - 2 * button - spacing));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
+                       std::max(0.0F, ImGui::GetContentRegionAvail().x - 2 * button - spacing));
   if (ImGui::Button(wording(dialog.purpose).button, {button, 0})) chosen = take(dialog);
   note_item(widgets, "take file");
   ImGui::SameLine();
@@ -201,7 +205,8 @@ std::optional<std::string> contents(FileDialog& dialog, WidgetState& widgets) {
   chosen = list_of_files(dialog, widgets, -ImGui::GetFrameHeightWithSpacing() * rows_below);
   ImGui::SetNextItemWidth(-1);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  if (ImGui::InputTextWithHint("##file name", "name or path", &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue))
+  if (ImGui::InputTextWithHint("##file name", "name or path", &dialog.name,
+                               ImGuiInputTextFlags_EnterReturnsTrue))
     chosen = take(dialog);
   note_item(widgets, "file name");
   if (!dialog.error.empty())

@@ -37,7 +37,8 @@ void update_histogram(HistogramCache& cache, const Volume& volume, ValueRange vi
   if (cache.range == target && !cache.counts.empty()) return;
   if (!wide && !at_rest && !cache.counts.empty()) return;
   cache.range = target;
-  cache.counts = wide ? grouped(volume.statistics.histogram) : histogram_of(volume.values, target, histogram_columns);
+  cache.counts =
+      wide ? grouped(volume.statistics.histogram) : histogram_of(volume.values, target, histogram_columns);
   cache.largest = 0;
   for (const std::uint64_t count : cache.counts) cache.largest = std::max(cache.largest, count);
 }

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
 #include "ui/keys.h"
-#include "ui/mode_text.h"
 #include "ui/style.h"
 
 namespace crest {
@@ -29,9 +29,11 @@ void ask_for(StudioState& state, const Document& document, FilePurpose purpose) 
   const std::string source = document.volume_source.substr(0, document.volume_source.find('?'));
   const bool is_file = !source.empty() && !source.starts_with("builtin:");
   const std::filesystem::path volume = is_file ? source : "";
-  open_file_dialog(state.file_dialog, purpose,
-                   purpose == FilePurpose::open_volume || document.preset_path.empty() ? volume : document.preset_path);
-  if (purpose == FilePurpose::save_preset && document.preset_path.empty()) state.file_dialog.name = "preset.json";
+  open_file_dialog(
+      state.file_dialog, purpose,
+      purpose == FilePurpose::open_volume || document.preset_path.empty() ? volume : document.preset_path);
+  if (purpose == FilePurpose::save_preset && document.preset_path.empty())
+    state.file_dialog.name = "preset.json";
 }
 
 void save(Document& document, StudioState& state, StudioRequests& requests) {
@@ -56,7 +58,8 @@ void recent_files(StudioState& state, const StudioInputs& inputs, StudioRequests
   ImGui::EndMenu();
 }
 
-void volume_menu(const Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+void volume_menu(const Document& document, StudioState& state, const StudioInputs& inputs,
+                 StudioRequests& requests) {
   if (!menu(state, "Volume")) return;
   if (item(state, "Open volume...", "Ctrl+O")) ask_for(state, document, FilePurpose::open_volume);
   recent_files(state, inputs, requests, false);
@@ -98,7 +101,8 @@ bool convert_domain(Document& document, StudioState& state, const Volume& volume
   return true;
 }
 
-bool preset_menu(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+bool preset_menu(Document& document, StudioState& state, const StudioInputs& inputs,
+                 StudioRequests& requests) {
   if (!menu(state, "Preset")) return false;
   bool changed = false;
   if (item(state, "New")) requests.new_preset = true;
@@ -112,7 +116,8 @@ bool preset_menu(Document& document, StudioState& state, const StudioInputs& inp
   const bool normalized = document.preset.transfer_function.domain == Domain::normalized;
   if (item(state, "Fit to the volume's range", nullptr, inputs.volume != nullptr))
     changed |= fit_to_volume(document, state, *inputs.volume);
-  if (item(state, normalized ? "Convert to data values" : "Convert to normalized values", nullptr, inputs.volume != nullptr))
+  if (item(state, normalized ? "Convert to data values" : "Convert to normalized values", nullptr,
+           inputs.volume != nullptr))
     changed |= convert_domain(document, state, *inputs.volume);
   ImGui::EndMenu();
   return changed;
@@ -141,7 +146,8 @@ bool view_menu(Document& document, StudioState& state, StudioRequests& requests)
   ImGui::Separator();
   if (ImGui::MenuItem("All four views", "Esc", state.views.enlarged < 0)) state.views.enlarged = -1;
   for (int i = 0; i < view_count; ++i)
-    if (ImGui::MenuItem(mode_text(view_modes[std::size_t(i)]).name, nullptr, state.views.enlarged == i))
+    if (ImGui::MenuItem(std::string(name_of(view_modes[std::size_t(i)])).c_str(), nullptr,
+                        state.views.enlarged == i))
       state.views.enlarged = i;
   ImGui::Separator();
   if (item(state, "Reload shaders", "F5")) requests.reload_shaders = true;
@@ -160,7 +166,8 @@ void preset_name(const Document& document, const StudioInputs& inputs) {
   ImGui::SetCursorPosX(x);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (inputs.unsaved_changes)
-    ImGui::GetWindowDrawList()->AddCircleFilled({at.x, at.y + ImGui::GetFrameHeight() / 2}, scaled(4), palette::accent);
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x, at.y + ImGui::GetFrameHeight() / 2}, scaled(4),
+                                                palette::accent);
   ImGui::SetCursorPosX(x + scaled(10));
   ImGui::TextDisabled("%s", text.c_str());
   if (inputs.unsaved_changes) tip("Not saved yet");
@@ -190,7 +197,8 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
   if (key_pressed(key_f1)) state.show_help = true;
   if (key_pressed(key_f5)) requests.reload_shaders = true;
   if (io.KeyCtrl) {
-    if (key_pressed('O')) ask_for(state, document, io.KeyShift ? FilePurpose::open_preset : FilePurpose::open_volume);
+    if (key_pressed('O'))
+      ask_for(state, document, io.KeyShift ? FilePurpose::open_preset : FilePurpose::open_volume);
     if (key_pressed('S') && io.KeyShift) ask_for(state, document, FilePurpose::save_preset);
     if (key_pressed('S') && !io.KeyShift) save(document, state, requests);
     if (key_pressed('Q')) state.quit_asked = true;

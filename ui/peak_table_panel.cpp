@@ -45,19 +45,20 @@ void cell_tooltip(const PeakTable& table, std::span<const Peak> peaks, int entry
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side}, packed(peak.color));
     ImGui::Dummy({side, side});
     ImGui::SameLine();
-    ImGui::Text("%d.  %s   opacity %s", ++order, short_text(peak.value).c_str(), short_text(peak.opacity).c_str());
+    ImGui::Text("%d.  %s   opacity %s", ++order, short_text(peak.value).c_str(),
+                short_text(peak.opacity).c_str());
   }
   if (count > peaks_per_cell)
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error), "%d candidates: the first %d are listed", count,
-                       peaks_per_cell);
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error),
+                       "%d candidates: the first %d are listed", count, peaks_per_cell);
   ImGui::EndTooltip();
 }
 
 void mark_cell(ImVec2 low, float side, const PeakTable& table, int entry, int exit) {
   const float cell = side / float(table.bins);
   const ImVec2 corner{low.x + float(entry) * cell, low.y + float(table.bins - 1 - exit) * cell};
-  ImGui::GetWindowDrawList()->AddRect({corner.x - 1, corner.y - 1}, {corner.x + cell + 1, corner.y + cell + 1},
-                                      IM_COL32_WHITE);
+  ImGui::GetWindowDrawList()->AddRect({corner.x - 1, corner.y - 1},
+                                      {corner.x + cell + 1, corner.y + cell + 1}, IM_COL32_WHITE);
 }
 
 void hover_cell(StudioState& state, const StudioInputs& inputs, ImVec2 low, float side) {
@@ -67,7 +68,8 @@ void hover_cell(StudioState& state, const StudioInputs& inputs, ImVec2 low, floa
   const int entry = bin((mouse.x - low.x) / side), exit = bin(1 - (mouse.y - low.y) / side);
   mark_cell(low, side, table, entry, exit);
   cell_tooltip(table, inputs.peaks, entry, exit);
-  state.under_cursor = fmt::format("entry {}   exit {}", range_text(bin_range(table, entry)), range_text(bin_range(table, exit)));
+  state.under_cursor = fmt::format("entry {}   exit {}", range_text(bin_range(table, entry)),
+                                   range_text(bin_range(table, exit)));
 }
 
 void facts(const PeakTable& table) {
@@ -111,7 +113,8 @@ void peak_table_panel(StudioState& state, const StudioInputs& inputs) {
   list.AddText({low.x, text_y}, palette::dim, least.c_str());
   list.AddText({low.x + side - text_width(most), text_y}, palette::dim, most.c_str());
   const bool roomy = text_width(least) + text_width(most) + text_width("entry value") + scaled(16) < side;
-  if (roomy) list.AddText({low.x + (side - text_width("entry value")) / 2, text_y}, palette::dim, "entry value");
+  if (roomy)
+    list.AddText({low.x + (side - text_width("entry value")) / 2, text_y}, palette::dim, "entry value");
   // Upright letters in a column: Dear ImGui draws no turned text.
   static constexpr const char* letters[] = {"e", "x", "i", "t"};
   for (int i = 0; i < 4; ++i)

@@ -26,7 +26,8 @@ bool value_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetS
   const Selection top = top_of(peak);
   const double first = tf.points[peak.first_point].value, last = tf.points[peak.last_point].value;
   double value = first == last ? first : (first + last) / 2;
-  if (!number_field(widgets, field_name(row, "value").c_str(), value, {-infinity, infinity}, -1)) return false;
+  if (!number_field(widgets, field_name(row, "value").c_str(), value, {-infinity, infinity}, -1))
+    return false;
   const double middle = (first + last) / 2;
   if (top.size() == 1) {
     const ValueRange room = room_of(tf.points, top[0], top);
@@ -62,7 +63,8 @@ bool width_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetS
   return true;
 }
 
-bool peak_row(TransferFunction& tf, EditorState& editor, WidgetState& widgets, const Peak& peak, std::size_t row) {
+bool peak_row(TransferFunction& tf, EditorState& editor, WidgetState& widgets, const Peak& peak,
+              std::size_t row) {
   bool changed = false;
   const bool selected = !editor.selection.empty() && editor.selection.front() >= peak.first_point &&
                         editor.selection.front() <= peak.last_point;
@@ -86,7 +88,7 @@ bool peak_row(TransferFunction& tf, EditorState& editor, WidgetState& widgets, c
   changed |= width_cell(tf, peak, row, widgets);
   ImGui::TableNextColumn();
   SurfaceMode mode = tf.points[peak.first_point].surface.mode;
-  if (choice(widgets, field_name(row, "surface").c_str(), mode, {"auto", "on", "off"}, -1)) {
+  if (choice(widgets, field_name(row, "surface").c_str(), mode, -1)) {
     for (const std::size_t i : top_of(peak)) tf.points[i].surface.mode = mode;
     changed = true;
   }
@@ -123,7 +125,8 @@ bool peaks_panel(Document& document, StudioState& state, const StudioInputs& inp
     ImGui::TextDisabled("Any point can be made a surface: right-click it.");
     return false;
   }
-  constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
+  constexpr ImGuiTableFlags flags =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
   if (!ImGui::BeginTable("peaks", 7, flags, {0, height})) return false;
   columns();
   bool changed = false;

@@ -22,7 +22,8 @@ CurveVertex vertex_at(const Plot& plot, double value, const Classified& c) {
 }
 
 /// On a logarithmic axis a straight flank is bent: places between its ends, every few pixels.
-void add_bend(std::vector<CurveVertex>& curve, const Plot& plot, double from, double to, const TransferFunction& tf) {
+void add_bend(std::vector<CurveVertex>& curve, const Plot& plot, double from, double to,
+              const TransferFunction& tf) {
   const double pixels = (to - from) / plot.axis.value_per_pixel();
   const int parts = int(std::clamp(pixels / 4, 1.0, 150.0));
   for (int i = 1; i < parts; ++i) {
@@ -51,7 +52,8 @@ std::vector<CurveVertex> curve_of(const Plot& plot, const TransferFunction& tf) 
 }
 
 /// A strip between the places and the plot's floor, as one mesh.
-void fill_below(ImDrawList& list, float floor, std::span<const CurveVertex> curve, double alpha_top, double alpha_floor) {
+void fill_below(ImDrawList& list, float floor, std::span<const CurveVertex> curve, double alpha_top,
+                double alpha_floor) {
   if (curve.size() < 2) return;
   const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
   const int quads = int(curve.size()) - 1;
@@ -75,7 +77,8 @@ void label(ImDrawList& list, ImVec2 place, float align, const char* text, ImU32 
 void draw_opacity_axis(ImDrawList& list, const Plot& plot) {
   static constexpr double linear[] = {0, 0.25, 0.5, 0.75, 1};
   static constexpr double decades[] = {0, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1};
-  const auto marks = plot.opacity_axis.logarithmic ? std::span<const double>(decades) : std::span<const double>(linear);
+  const auto marks =
+      plot.opacity_axis.logarithmic ? std::span<const double>(decades) : std::span<const double>(linear);
   const float height = ImGui::GetFontSize();
   for (const double opacity : marks) {
     const float y = std::round(plot.y_of(opacity));
@@ -98,7 +101,8 @@ void draw_value_axis(ImDrawList& list, const Plot& plot) {
     label(list, {x, text_y}, 0.5F, tick.label.c_str(), palette::dim);
   }
   if (!ticks.offset.empty())
-    label(list, {plot.high.x, text_y + ImGui::GetFontSize() + scaled(1)}, 1, ticks.offset.c_str(), palette::text);
+    label(list, {plot.high.x, text_y + ImGui::GetFontSize() + scaled(1)}, 1, ticks.offset.c_str(),
+          palette::text);
 }
 
 void draw_diamond(ImDrawList& list, ImVec2 at, float radius, ImU32 color, bool filled) {
@@ -182,7 +186,8 @@ void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, 
     draw_diamond(list, {x, y}, scaled(7), packed(first.color), peak.shown);
     const std::string text = short_text((first.value + last.value) / 2);
     const float half = ImGui::CalcTextSize(text.c_str()).x / 2;
-    const float center = std::clamp(x, plot.low.x + half + 2, std::max(plot.low.x + half + 2, plot.high.x - half - 2));
+    const float center =
+        std::clamp(x, plot.low.x + half + 2, std::max(plot.low.x + half + 2, plot.high.x - half - 2));
     if (center - half < label_end) continue;
     label_end = center + half + scaled(6);
     const float above = y - scaled(10) - ImGui::GetFontSize();
@@ -201,7 +206,9 @@ void draw_points(ImDrawList& list, const Plot& plot, const TransferFunction& tf,
     const float radius = scaled(selected || hovered == i ? 5.5F : many ? 2.5F : 4.5F);
     const ImU32 ring = selected ? palette::accent : hovered == i ? IM_COL32_WHITE : palette::curve;
     const float edge = selected ? scaled(2) : 1;
-    const auto corner = [&](float r) { return std::pair{ImVec2(at.x - r, at.y - r), ImVec2(at.x + r, at.y + r)}; };
+    const auto corner = [&](float r) {
+      return std::pair{ImVec2(at.x - r, at.y - r), ImVec2(at.x + r, at.y + r)};
+    };
     const auto [outer_low, outer_high] = corner(radius);
     const auto [inner_low, inner_high] = corner(radius - edge);
     list.AddRectFilled(outer_low, outer_high, ring);

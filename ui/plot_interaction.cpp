@@ -29,8 +29,8 @@ void toggle(Selection& selection, std::size_t i) {
 
 void begin_drag(EditorState& editor, EditorDrag::Kind kind, const TransferFunction& tf, const Plot& plot,
                 ValueRange whole) {
-  editor.drag = EditorDrag{kind,  ImGui::GetIO().MousePos, false, tf.points, editor.selection, plot.axis.visible,
-                           whole};
+  editor.drag =
+      EditorDrag{kind, ImGui::GetIO().MousePos, false, tf.points, editor.selection, plot.axis.visible, whole};
 }
 
 bool press_left(TransferFunction& tf, EditorState& editor, const Plot& plot, ValueRange whole) {
@@ -56,7 +56,8 @@ bool press_left(TransferFunction& tf, EditorState& editor, const Plot& plot, Val
   }
   if (twice) {
     const double value = round_to_resolution(plot.axis.value_at(io.MousePos.x), plot.axis.value_per_pixel());
-    const double opacity = round_to_resolution(plot.opacity_at(io.MousePos.y), 1e-2 * plot.opacity_at(io.MousePos.y));
+    const double opacity =
+        round_to_resolution(plot.opacity_at(io.MousePos.y), 1e-2 * plot.opacity_at(io.MousePos.y));
     editor.selection = {insert_point(tf, value, opacity)};
     begin_drag(editor, EditorDrag::Kind::points, tf, plot, whole);
     return true;
@@ -84,11 +85,13 @@ bool drag_points(TransferFunction& tf, EditorState& editor, const Plot& plot, Im
   if (ImGui::GetIO().KeyShift) (std::abs(shift.x) >= std::abs(shift.y) ? shift.y : shift.x) = 0;
   const double per_pixel = plot.axis.value_per_pixel();
   std::vector<ControlPoint> points =
-      shift.x != 0 ? moved(drag.before, editor.selection, double(shift.x) * per_pixel, per_pixel) : drag.before;
+      shift.x != 0 ? moved(drag.before, editor.selection, double(shift.x) * per_pixel, per_pixel)
+                   : drag.before;
   if (shift.y != 0)
     for (const std::size_t i : editor.selection) {
       const double opacity = plot.opacity_at(plot.y_of(drag.before[i].opacity) + shift.y);
-      const double resolution = plot.opacity_axis.logarithmic ? 0.02 * opacity : 1.0 / double(plot.high.y - plot.low.y);
+      const double resolution =
+          plot.opacity_axis.logarithmic ? 0.02 * opacity : 1.0 / double(plot.high.y - plot.low.y);
       points[i].opacity = std::clamp(round_to_resolution(opacity, resolution), 0.0, 1.0);
     }
   if (points == tf.points) return false;
@@ -117,12 +120,16 @@ bool continue_drag(TransferFunction& tf, EditorState& editor, const Plot& plot, 
     if (drag.kind == EditorDrag::Kind::points) choose_among_coincident(editor, plot, shift.x);
   }
   switch (drag.kind) {
-    case EditorDrag::Kind::points: return drag_points(tf, editor, plot, shift);
+    case EditorDrag::Kind::points:
+      return drag_points(tf, editor, plot, shift);
     case EditorDrag::Kind::axis:
       editor.visible = pan(drag.visible, whole, -double(shift.x) * plot.axis.value_per_pixel());
       return false;
-    case EditorDrag::Kind::box: drag_box(tf, editor, plot); return false;
-    case EditorDrag::Kind::none: break;
+    case EditorDrag::Kind::box:
+      drag_box(tf, editor, plot);
+      return false;
+    case EditorDrag::Kind::none:
+      break;
   }
   return false;
 }
@@ -154,7 +161,8 @@ void walk(Selection& selection, std::size_t count, int direction) {
 }  // namespace
 
 double new_peak_width(const EditorState& editor, ValueRange visible) {
-  return editor.new_peak_width.value_or(round_to_resolution(share_of_view * visible.width(), 0.1 * share_of_view * visible.width()));
+  return editor.new_peak_width.value_or(
+      round_to_resolution(share_of_view * visible.width(), 0.1 * share_of_view * visible.width()));
 }
 
 bool handle_plot_mouse(TransferFunction& tf, EditorState& editor, const Plot& plot, ValueRange whole) {
@@ -164,7 +172,8 @@ bool handle_plot_mouse(TransferFunction& tf, EditorState& editor, const Plot& pl
     ImGui::SetItemUsingMouseWheel();
     handle_wheel(editor, plot, whole);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) changed |= press_left(tf, editor, plot, whole);
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) begin_drag(editor, EditorDrag::Kind::axis, tf, plot, whole);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle))
+      begin_drag(editor, EditorDrag::Kind::axis, tf, plot, whole);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
       const ImVec2 mouse = ImGui::GetIO().MousePos;
       const auto hit = point_near(plot, tf.points, mouse);
@@ -207,7 +216,8 @@ bool handle_plot_keys(TransferFunction& tf, EditorState& editor, const Plot& plo
   const float pixels = io.KeyShift ? 10 : io.KeyAlt ? 0.1F : 1;
   const double per_pixel = plot.axis.value_per_pixel();
   const std::vector<ControlPoint> before = tf.points;
-  if (across != 0) tf.points = moved(tf.points, editor.selection, double(pixels) * across * per_pixel, 0.1 * per_pixel);
+  if (across != 0)
+    tf.points = moved(tf.points, editor.selection, double(pixels) * across * per_pixel, 0.1 * per_pixel);
   if (upward != 0)
     for (const std::size_t i : editor.selection) {
       const double unit = plot.opacity_axis.unit_of(tf.points[i].opacity);

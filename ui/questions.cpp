@@ -42,7 +42,8 @@ void center_next_window() {
 
 }  // namespace
 
-void quit_question(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+void quit_question(Document& document, StudioState& state, const StudioInputs& inputs,
+                   StudioRequests& requests) {
   if (inputs.close_requested) state.quit_asked = true;
   constexpr const char* title = "Unsaved changes";
   if (state.quit_asked && !ImGui::IsPopupOpen(title)) {
@@ -112,7 +113,8 @@ void help_window(StudioState& state) {
     ImGui::TextDisabled("%s", line.meaning);
   }
   ImGui::Spacing();
-  if (ImGui::Button("Close", {scaled(104), 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
+  if (ImGui::Button("Close", {scaled(104), 0}) ||
+      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
     ImGui::CloseCurrentPopup();
   note_item(state.widgets, "close help");
   ImGui::EndPopup();

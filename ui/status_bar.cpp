@@ -11,8 +11,8 @@ std::string volume_text(const Volume* volume) {
   if (!volume) return "no volume";
   const glm::ivec3 dims = volume->grid.dims;
   const ValueRange range = volume->statistics.range;
-  std::string text = fmt::format("{}   {} x {} x {}   {}   {:.6g} .. {:.6g}", volume->name, dims.x, dims.y, dims.z,
-                                 name_of(volume->file_type), range.min, range.max);
+  std::string text = fmt::format("{}   {} x {} x {}   {}   {:.6g} .. {:.6g}", volume->name, dims.x, dims.y,
+                                 dims.z, name_of(volume->file_type), range.min, range.max);
   const auto add = [&](std::size_t count, const char* what) {
     if (count > 0) text += fmt::format("   {} {}", count, what);
   };

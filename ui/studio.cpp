@@ -16,16 +16,17 @@
 namespace crest {
 namespace {
 
-constexpr float least_window = 64;  // pixels; a smaller one is minimized
+constexpr float least_window = 64;   // pixels; a smaller one is minimized
 constexpr double wheel_pause = 0.4;  // seconds after which a turn of the wheel is over
 
-constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse;
+constexpr ImGuiWindowFlags fixed_window =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
+    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoScrollWithMouse;
 constexpr ImGuiWindowFlags fixed_child = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
 
-/// The gap between two parts, which drags `share` of `length` pixels with it; `sign` is -1 where the part that
-/// has the share lies behind the gap.
+/// The gap between two parts, which drags `share` of `length` pixels with it; `sign` is -1 where the part
+/// that has the share lies behind the gap.
 void splitter(const char* name, bool upright, float sign, float& share, float length) {
   const float gap = scaled(8);
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
@@ -105,7 +106,8 @@ bool main_area(Document& document, StudioState& state, const StudioInputs& input
   return changed;
 }
 
-bool studio_window(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+bool studio_window(Document& document, StudioState& state, const StudioInputs& inputs,
+                   StudioRequests& requests) {
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   ImGui::SetNextWindowPos(viewport.WorkPos);
   ImGui::SetNextWindowSize(viewport.WorkSize);

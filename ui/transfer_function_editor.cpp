@@ -25,7 +25,7 @@ bool add_peak(TransferFunction& tf, EditorState& editor, double value, double op
 
 bool surface_choice(TransferFunction& tf, EditorState& editor, WidgetState& widgets, float width) {
   SurfaceMode mode = tf.points[editor.selection[0]].surface.mode;
-  if (!choice(widgets, "##surface", mode, {"auto", "on", "off"}, width)) return false;
+  if (!choice(widgets, "##surface", mode, width)) return false;
   for (const std::size_t i : editor.selection) tf.points[i].surface.mode = mode;
   return true;
 }
@@ -35,7 +35,8 @@ bool surface_choice(TransferFunction& tf, EditorState& editor, WidgetState& widg
 bool point_fields(TransferFunction& tf, EditorState& editor, WidgetState& widgets) {
   if (editor.selection.empty()) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", tf.points.empty() ? "Double-click to add a point" : "No point selected: click one, or drag a box");
+    ImGui::TextDisabled("%s", tf.points.empty() ? "Double-click to add a point"
+                                                : "No point selected: click one, or drag a box");
     return false;
   }
   bool changed = false;
@@ -51,7 +52,8 @@ bool point_fields(TransferFunction& tf, EditorState& editor, WidgetState& widget
   const float field = std::clamp((spare - scaled(250)) / 2, scaled(60), scaled(150));
   if (editor.selection.size() == 1) {
     field_label("Value");
-    changed |= number_field(widgets, "##value", point.value, room_of(tf.points, first, editor.selection), field);
+    changed |=
+        number_field(widgets, "##value", point.value, room_of(tf.points, first, editor.selection), field);
     ImGui::SameLine();
   } else {
     ImGui::AlignTextToFramePadding();
@@ -74,7 +76,8 @@ bool toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widgets, Va
   bool changed = false;
   if (ImGui::Button("Add peak")) {
     const double middle = (visible.min + visible.max) / 2;
-    changed |= add_peak(tf, editor, round_to_resolution(middle, 0.01 * visible.width()), 0.8, new_peak_width(editor, visible));
+    changed |= add_peak(tf, editor, round_to_resolution(middle, 0.01 * visible.width()), 0.8,
+                        new_peak_width(editor, visible));
   }
   note_item(widgets, "add peak");
   tip("Adds a spike in the middle of what is in sight.\nThe right-click menu adds one under the mouse.");
@@ -84,7 +87,10 @@ bool toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widgets, Va
   if (number_field(widgets, "##peak width", width, {0, infinity}, scaled(74))) editor.new_peak_width = width;
   tip("Width of a new peak, in values; 0 makes a true spike");
   ImGui::SameLine();
-  choice(widgets, "##histogram", editor.histogram_scale, {"no histogram", "histogram", "log histogram"}, scaled(118));
+  static constexpr std::string_view scales[] = {"no histogram", "histogram", "log histogram"};
+  int scale = int(editor.histogram_scale);
+  if (choice(widgets, "##histogram", scale, scales, scaled(118)))
+    editor.histogram_scale = HistogramScale(scale);
   ImGui::SameLine();
   ImGui::Checkbox("log opacity", &editor.opacity_axis.logarithmic);
   note_item(widgets, "log opacity");
@@ -92,7 +98,8 @@ bool toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widgets, Va
   ImGui::SameLine();
   if (ImGui::Button("Fit")) editor.visible.reset();
   note_item(widgets, "fit");
-  tip("Shows all values (also: double-click on the axis).\nWheel zooms about the mouse, Ctrl+wheel faster;\nmiddle drag or Shift+wheel pans; F shows the selected points");
+  tip("Shows all values (also: double-click on the axis).\nWheel zooms about the mouse, Ctrl+wheel "
+      "faster;\nmiddle drag or Shift+wheel pans; F shows the selected points");
   return changed;
 }
 
@@ -115,7 +122,8 @@ bool point_menu(TransferFunction& tf, EditorState& editor, WidgetState& widgets)
       tf.points[i].surface.opacity = own ? std::nullopt : std::optional(tf.points[i].opacity);
     changed = true;
   }
-  if (point.surface.opacity) changed |= number_field(widgets, "##surface opacity", *point.surface.opacity, {0, 1}, scaled(120));
+  if (point.surface.opacity)
+    changed |= number_field(widgets, "##surface opacity", *point.surface.opacity, {0, 1}, scaled(120));
   ImGui::Separator();
   if (ImGui::MenuItem("Make step", nullptr, false, editor.selection.size() == 1)) {
     editor.selection = {make_step(tf, editor.selection[0])};
@@ -149,13 +157,16 @@ bool place_menu(TransferFunction& tf, EditorState& editor, WidgetState& widgets,
   return changed;
 }
 
-bool popups(Document& document, EditorState& editor, WidgetState& widgets, const StudioInputs& inputs, ValueRange visible) {
+bool popups(Document& document, EditorState& editor, WidgetState& widgets, const StudioInputs& inputs,
+            ValueRange visible) {
   TransferFunction& tf = document.preset.transfer_function;
   bool changed = false;
   if (ImGui::BeginPopup("plot menu")) {
-    changed |= editor.selection.empty() ? place_menu(tf, editor, widgets, visible) : point_menu(tf, editor, widgets);
+    changed |=
+        editor.selection.empty() ? place_menu(tf, editor, widgets, visible) : point_menu(tf, editor, widgets);
     ImGui::Separator();
-    if (!editor.selection.empty() && ImGui::MenuItem("Zoom to selection", "F")) frame_selection(document, editor, inputs);
+    if (!editor.selection.empty() && ImGui::MenuItem("Zoom to selection", "F"))
+      frame_selection(document, editor, inputs);
     if (ImGui::MenuItem("Show all values")) editor.visible.reset();
     ImGui::EndPopup();
   }
@@ -176,7 +187,7 @@ bool unit_fields(TransferFunction& tf, WidgetState& widgets) {
   changed |= number_field(widgets, "##unit distance", tf.unit_distance, {tiny, infinity}, scaled(96));
   tip("An opacity is what this length of the material absorbs");
   ImGui::SameLine();
-  changed |= choice(widgets, "##unit", tf.unit, {"world units", "voxels"}, scaled(104));
+  changed |= choice(widgets, "##unit", tf.unit, scaled(104));
   return changed;
 }
 
@@ -185,14 +196,16 @@ bool peak_rule_fields(TransferFunction& tf, WidgetState& widgets) {
   const float field = scaled(80);
   field_label("Spike width");
   changed |= number_field(widgets, "##spike width", tf.spike_width, {0, infinity}, field);
-  tip("A peak no wider than this share of the TF's span is a spike:\nshown as a surface, it is taken out of the volume rendering");
+  tip("A peak no wider than this share of the TF's span is a spike:\nshown as a surface, it is taken out of "
+      "the volume rendering");
   ImGui::SameLine();
   field_label("Least prominence");
   changed |= number_field(widgets, "##min prominence", tf.min_prominence, {0, 1}, field);
   tip("Peaks that rise less above the valleys beside them are not peaks");
   ImGui::SameLine();
   field_label("Plateau");
-  changed |= number_field(widgets, "##plateau width", tf.plateau_width, {0, infinity}, ImGui::GetContentRegionAvail().x);
+  changed |= number_field(widgets, "##plateau width", tf.plateau_width, {0, infinity},
+                          ImGui::GetContentRegionAvail().x);
   tip("A flat top narrower than this is one peak");
   return changed;
 }
@@ -204,20 +217,23 @@ LinearMap data_to_domain(const TransferFunction& tf, ValueRange data) {
 }
 
 ValueRange in_data(LinearMap to_domain, ValueRange visible) {
-  return {(visible.min - to_domain.offset) / to_domain.scale, (visible.max - to_domain.offset) / to_domain.scale};
+  return {(visible.min - to_domain.offset) / to_domain.scale,
+          (visible.max - to_domain.offset) / to_domain.scale};
 }
 
 Plot make_plot(const EditorState& editor, ImVec2 corner, ImVec2 size, ValueRange visible) {
   Plot plot;
   const float gutter = scaled(42), strip = scaled(42);
   plot.low = {corner.x + gutter, corner.y + scaled(6)};
-  plot.high = {std::max(plot.low.x + 8, corner.x + size.x - scaled(8)), std::max(plot.low.y + 8, corner.y + size.y - strip)};
+  plot.high = {std::max(plot.low.x + 8, corner.x + size.x - scaled(8)),
+               std::max(plot.low.y + 8, corner.y + size.y - strip)};
   plot.axis = {visible, double(plot.low.x), double(plot.high.x - plot.low.x)};
   plot.opacity_axis = editor.opacity_axis;
   return plot;
 }
 
-void draw_plot(const TransferFunction& tf, EditorState& editor, const Plot& plot, const StudioInputs& inputs) {
+void draw_plot(const TransferFunction& tf, EditorState& editor, const Plot& plot,
+               const StudioInputs& inputs) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_axes(list, plot);
   list.PushClipRect(plot.low, plot.high, true);
@@ -231,7 +247,8 @@ void draw_plot(const TransferFunction& tf, EditorState& editor, const Plot& plot
   list.PopClipRect();
   list.AddRect(plot.low, plot.high, palette::frame);
   const float margin = scaled(8);
-  list.PushClipRect({plot.low.x - margin, plot.low.y - margin}, {plot.high.x + margin, plot.high.y + margin}, true);
+  list.PushClipRect({plot.low.x - margin, plot.low.y - margin}, {plot.high.x + margin, plot.high.y + margin},
+                    true);
   const bool free = ImGui::IsItemHovered() && editor.drag.kind == EditorDrag::Kind::none;
   draw_points(list, plot, tf, editor.selection,
               free ? point_near(plot, tf.points, ImGui::GetIO().MousePos) : std::nullopt);
@@ -243,8 +260,8 @@ void draw_plot(const TransferFunction& tf, EditorState& editor, const Plot& plot
 std::string place_text(const TransferFunction& tf, const Plot& plot) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const double value = round_to_resolution(plot.axis.value_at(mouse.x), plot.axis.value_per_pixel());
-  return fmt::format("value {}   curve {:.3g}   cursor {:.3g}", exact_text(value), evaluate(tf, value).opacity,
-                     plot.opacity_at(mouse.y));
+  return fmt::format("value {}   curve {:.3g}   cursor {:.3g}", exact_text(value),
+                     evaluate(tf, value).opacity, plot.opacity_at(mouse.y));
 }
 
 }  // namespace
@@ -289,7 +306,8 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const ImVec2 size{std::max(room.x, scaled(100)), std::max(room.y - below, scaled(90))};
   ImGui::InvisibleButton("##plot", size,
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
   Plot plot = make_plot(editor, corner, size, visible);
   state.widgets.items["plot"] = {plot.low, plot.high};
   changed |= handle_plot_mouse(tf, editor, plot, whole);

@@ -92,7 +92,8 @@ AxisTicks axis_ticks(ValueRange visible, int most) {
   const double first = std::ceil((visible.min - base) / step), last = std::floor((visible.max - base) / step);
   for (double k = first; k <= last && result.ticks.size() <= std::size_t(most) + 1; ++k) {
     const double offset = k == 0 ? 0 : k * step;
-    result.ticks.push_back({base + offset, plain ? fmt::format("{:.{}f}", offset, decimals) : fmt::format("{:.6g}", offset)});
+    result.ticks.push_back(
+        {base + offset, plain ? fmt::format("{:.{}f}", offset, decimals) : fmt::format("{:.6g}", offset)});
   }
   return result;
 }

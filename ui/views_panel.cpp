@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "presets/names.h"
 #include "ui/camera_control.h"
 #include "ui/mode_text.h"
 #include "ui/style.h"
@@ -20,7 +21,8 @@ constexpr float least_view = 24;  // pixels
 
 std::string cost_text(const ViewPicture& view) {
   if (view.frame_ms <= 0) return "";
-  std::string text = view.frame_ms < 100 ? fmt::format("{:.1f} ms", view.frame_ms) : fmt::format("{:.0f} ms", view.frame_ms);
+  std::string text =
+      view.frame_ms < 100 ? fmt::format("{:.1f} ms", view.frame_ms) : fmt::format("{:.0f} ms", view.frame_ms);
   if (view.samples_per_ray > 0)
     text += fmt::format("   {:.1f} samples/ray, {:.1f} DVR", view.samples_per_ray, view.dvr_samples_per_ray);
   return text;
@@ -34,20 +36,21 @@ void right_aligned(const char* text, float right) {
 
 /// The name, what it costs, and what it shows.
 void caption(int index, StudioState& state, const ViewPicture& view) {
-  const ModeText& text = mode_text(view_modes[std::size_t(index)]);
+  const Mode mode = view_modes[std::size_t(index)];
+  const std::string name(name_of(mode));
   const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX();
   const bool enlarged = state.views.enlarged == index;
-  ImGui::TextUnformatted(text.name);
+  ImGui::TextUnformatted(name.c_str());
   const float button = ImGui::CalcTextSize("restore").x + scaled(10);
   const std::string cost = cost_text(view);
-  const float cost_room = width - button - scaled(8) - ImGui::CalcTextSize(text.name).x - scaled(12);
+  const float cost_room = width - button - scaled(8) - ImGui::CalcTextSize(name.c_str()).x - scaled(12);
   if (!cost.empty() && ImGui::CalcTextSize(cost.c_str()).x < cost_room)
     right_aligned(cost.c_str(), start + width - button - scaled(8));
   ImGui::SameLine(start + width - button);
   if (ImGui::SmallButton(enlarged ? "restore" : "enlarge")) state.views.enlarged = enlarged ? -1 : index;
   note_item(state.widgets, fmt::format("enlarge{}", index));
   ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
-  ImGui::TextUnformatted(text.explanation);
+  ImGui::TextUnformatted(explanation_of(mode));
   ImGui::PopStyleColor();
 }
 
@@ -74,7 +77,8 @@ bool move_camera(Document& document, StudioState& state, const StudioInputs& inp
   return true;
 }
 
-void picture(const StudioState& state, const StudioInputs& inputs, const ViewPicture& view, ImVec2 low, ImVec2 size) {
+void picture(const StudioState& state, const StudioInputs& inputs, const ViewPicture& view, ImVec2 low,
+             ImVec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 high{low.x + size.x, low.y + size.y};
   if (view.texture != 0)
@@ -97,8 +101,8 @@ void picture(const StudioState& state, const StudioInputs& inputs, const ViewPic
   list.PopClipRect();
 }
 
-bool view(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests, int index,
-          ImVec2 corner, ImVec2 size) {
+bool view(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests,
+          int index, ImVec2 corner, ImVec2 size) {
   const std::size_t i = std::size_t(index);
   ImGui::PushID(index);
   ImGui::SetCursorScreenPos(corner);
@@ -109,7 +113,8 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
   const ImVec2 image{std::floor(room.x), std::floor(room.y)};
   if (image.x >= least_view && image.y >= least_view) {
     const ImVec2 pixel = ImGui::GetIO().DisplayFramebufferScale;
-    requests.view_pixels[i] = {int(image.x * std::max(pixel.x, 1.0F)), int(image.y * std::max(pixel.y, 1.0F))};
+    requests.view_pixels[i] = {int(image.x * std::max(pixel.x, 1.0F)),
+                               int(image.y * std::max(pixel.y, 1.0F))};
     ImGui::InvisibleButton("##picture", image,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
@@ -127,7 +132,8 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
 
 }  // namespace
 
-bool views_panel(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+bool views_panel(Document& document, StudioState& state, const StudioInputs& inputs,
+                 StudioRequests& requests) {
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const int enlarged = state.views.enlarged;
   if (enlarged >= 0) return view(document, state, inputs, requests, enlarged, corner, room);
@@ -136,8 +142,9 @@ bool views_panel(Document& document, StudioState& state, const StudioInputs& inp
   if (size.x < 8 || size.y < 8) return false;
   bool changed = false;
   for (int i = 0; i < view_count; ++i)
-    changed |= view(document, state, inputs, requests, i,
-                    {corner.x + float(i % 2) * (size.x + gap), corner.y + float(i / 2) * (size.y + gap)}, size);
+    changed |=
+        view(document, state, inputs, requests, i,
+             {corner.x + float(i % 2) * (size.x + gap), corner.y + float(i / 2) * (size.y + gap)}, size);
   return changed;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <glm/common.hpp>
 #include <limits>
 #include <optional>
 
@@ -18,6 +19,10 @@ std::optional<double> number_in(const std::string& text) {
   if (end == text.c_str() || !std::isfinite(value)) return std::nullopt;
   while (*end == ' ') ++end;
   return *end == '\0' ? std::optional(value) : std::nullopt;
+}
+
+glm::dvec3 in_gamut(const float (&rgb)[3]) {
+  return glm::clamp(glm::dvec3(rgb[0], rgb[1], rgb[2]), 0.0, 1.0);
 }
 
 }  // namespace
@@ -58,9 +63,10 @@ bool integer_field(WidgetState& state, const char* name, int& value, int least, 
 
 bool color_square(WidgetState& state, const char* name, glm::dvec3& color) {
   float rgb[3] = {float(color.r), float(color.g), float(color.b)};
-  const bool changed = ImGui::ColorEdit3(name, rgb, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
+  const bool changed =
+      ImGui::ColorEdit3(name, rgb, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
   note_item(state, name);
-  if (changed) color = glm::clamp(glm::dvec3(rgb[0], rgb[1], rgb[2]), 0.0, 1.0);
+  if (changed) color = in_gamut(rgb);
   return changed;
 }
 
@@ -68,27 +74,24 @@ bool color_picker(const char* name, glm::dvec3& color) {
   float rgb[3] = {float(color.r), float(color.g), float(color.b)};
   if (!ImGui::ColorPicker3(name, rgb, ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview))
     return false;
-  color = glm::clamp(glm::dvec3(rgb[0], rgb[1], rgb[2]), 0.0, 1.0);
+  color = in_gamut(rgb);
   return true;
 }
 
-bool choice(WidgetState& state, const char* name, int& value, std::initializer_list<const char*> names, float width) {
-  const int count = int(names.size());
-  const char* shown = value >= 0 && value < count ? names.begin()[value] : "";
-  bool changed = false;
+bool choice(WidgetState& state, const char* name, int& value, std::span<const std::string_view> names,
+            float width) {
+  const auto text_of = [&](std::size_t i) { return std::string(names[i]); };
+  const std::size_t now = std::size_t(value);
   ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo(name, shown);
+  const bool open = ImGui::BeginCombo(name, now < names.size() ? text_of(now).c_str() : "");
   note_item(state, name);
   if (!open) return false;
-  for (int i = 0; i < count; ++i) {
-    if (ImGui::Selectable(names.begin()[i], i == value) && i != value) {
-      value = i;
-      changed = true;
-    }
-    note_item(state, fmt::format("{}/{}", name, names.begin()[i]));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (ImGui::Selectable(text_of(i).c_str(), i == now)) value = int(i);
+    note_item(state, fmt::format("{}/{}", name, names[i]));
   }
   ImGui::EndCombo();
-  return changed;
+  return std::size_t(value) != now;
 }
 
 void field_label(const char* text) {
