@@ -223,7 +223,7 @@ ValueRange in_data(LinearMap to_domain, ValueRange visible) {
 
 Plot make_plot(const EditorState& editor, ImVec2 corner, ImVec2 size, ValueRange visible) {
   Plot plot;
-  const float gutter = scaled(42), strip = scaled(42);
+  const float gutter = scaled(42), strip = axis_ticks(visible, 8).offset.empty() ? scaled(28) : scaled(44);
   plot.low = {corner.x + gutter, corner.y + scaled(6)};
   plot.high = {std::max(plot.low.x + 8, corner.x + size.x - scaled(8)),
                std::max(plot.low.y + 8, corner.y + size.y - strip)};

@@ -41,13 +41,14 @@ void caption(int index, StudioState& state, const ViewPicture& view) {
   const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX();
   const bool enlarged = state.views.enlarged == index;
   ImGui::TextUnformatted(name.c_str());
-  const float button = ImGui::CalcTextSize("restore").x + scaled(10);
+  const char* action = enlarged ? "restore" : "enlarge";
+  const float button = ImGui::CalcTextSize(action).x + 2 * ImGui::GetStyle().FramePadding.x;
   const std::string cost = cost_text(view);
   const float cost_room = width - button - scaled(8) - ImGui::CalcTextSize(name.c_str()).x - scaled(12);
   if (!cost.empty() && ImGui::CalcTextSize(cost.c_str()).x < cost_room)
     right_aligned(cost.c_str(), start + width - button - scaled(8));
   ImGui::SameLine(start + width - button);
-  if (ImGui::SmallButton(enlarged ? "restore" : "enlarge")) state.views.enlarged = enlarged ? -1 : index;
+  if (ImGui::SmallButton(action)) state.views.enlarged = enlarged ? -1 : index;
   note_item(state.widgets, fmt::format("enlarge{}", index));
   ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
   ImGui::TextUnformatted(explanation_of(mode));

@@ -11,6 +11,10 @@
 #include <optional>
 
 namespace crest {
+
+std::string exact_text(double value) { return fmt::format("{}", value == 0 ? 0.0 : value); }
+std::string short_text(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
+
 namespace {
 
 std::optional<double> number_in(const std::string& text) {
@@ -25,20 +29,31 @@ glm::dvec3 in_gamut(const float (&rgb)[3]) {
   return glm::clamp(glm::dvec3(rgb[0], rgb[1], rgb[2]), 0.0, 1.0);
 }
 
+/// The exact text where it fits into the field, or as many digits as do.
+std::string fitting_text(double value, float width) {
+  const std::string exact = exact_text(value);
+  const float room = width - 2 * ImGui::GetStyle().FramePadding.x;
+  if (ImGui::CalcTextSize(exact.c_str()).x <= room) return exact;
+  std::string text;
+  for (const int digits : {12, 10, 9, 8, 7, 6}) {
+    text = fmt::format("{:.{}g}", value, digits);
+    if (ImGui::CalcTextSize(text.c_str()).x <= room) break;
+  }
+  return text;
+}
+
 }  // namespace
 
 void note_item(WidgetState& state, std::string name) {
   state.items[std::move(name)] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
 }
 
-std::string exact_text(double value) { return fmt::format("{}", value == 0 ? 0.0 : value); }
-std::string short_text(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
-
 bool number_field(WidgetState& state, const char* name, double& value, ValueRange limits, float width) {
   const ImGuiID id = ImGui::GetID(name);
-  const auto found = state.typed.find(id);
-  std::string text = found != state.typed.end() ? found->second : exact_text(value);
   ImGui::SetNextItemWidth(width);
+  const std::string shown = fitting_text(value, ImGui::CalcItemWidth());
+  const auto found = state.typed.find(id);
+  std::string text = found != state.typed.end() ? found->second : shown;
   ImGui::InputText(name, &text, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
   note_item(state, name);
   if (ImGui::IsItemActive()) {
@@ -47,7 +62,7 @@ bool number_field(WidgetState& state, const char* name, double& value, ValueRang
   }
   if (found == state.typed.end()) return false;
   state.typed.erase(found);
-  if (text == exact_text(value)) return false;
+  if (text == shown) return false;
   const std::optional<double> typed = number_in(text);
   if (!typed) return false;
   const double before = std::exchange(value, std::clamp(*typed, limits.min, limits.max));
