@@ -29,7 +29,7 @@ void list_formats() {
 
 void list_methods() {
   for (const Mode mode : {Mode::both, Mode::dvr_only, Mode::peak_only, Mode::peak_xor_dvr})
-    fmt::print("--mode {:<14} {}\n", name_of(mode), mode_text(mode).explanation);
+    fmt::print("--mode {:<14} {}\n", name_of(mode), explanation_of(mode));
 }
 
 void list_presets() {

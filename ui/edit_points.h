@@ -36,8 +36,8 @@ ValueRange room_of(const std::vector<ControlPoint>& points, std::size_t point, c
 
 /// `before` with the selected points moved by `shift`, as far as all of them have room. Their values are
 /// rounded to a tenth of `resolution`, which 0 leaves out.
-std::vector<ControlPoint> moved(const std::vector<ControlPoint>& before, const Selection& selection, double shift,
-                                double resolution);
+std::vector<ControlPoint> moved(const std::vector<ControlPoint>& before, const Selection& selection,
+                                double shift, double resolution);
 
 /// Sets the distance between a peak's flanks; their points move in proportion.
 void set_peak_width(TransferFunction& tf, const Peak& peak, double width);

@@ -10,7 +10,7 @@ namespace {
 constexpr double wide_share = 0.2;
 
 std::vector<std::uint64_t> grouped(const std::vector<std::uint64_t>& bins) {
-  const std::size_t group = std::max<std::size_t>(1, bins.size() / std::size_t(histogram_columns * 2));
+  const std::size_t group = std::max<std::size_t>(1, bins.size() / std::size_t(histogram_columns));
   std::vector<std::uint64_t> counts((bins.size() + group - 1) / group);
   for (std::size_t i = 0; i < bins.size(); ++i) counts[i / group] += bins[i];
   return counts;

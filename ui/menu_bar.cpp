@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
 #include "ui/keys.h"
-#include "ui/mode_text.h"
 #include "ui/style.h"
 
 namespace crest {
@@ -146,7 +146,8 @@ bool view_menu(Document& document, StudioState& state, StudioRequests& requests)
   ImGui::Separator();
   if (ImGui::MenuItem("All four views", "Esc", state.views.enlarged < 0)) state.views.enlarged = -1;
   for (int i = 0; i < view_count; ++i)
-    if (ImGui::MenuItem(mode_text(view_modes[std::size_t(i)]).name, nullptr, state.views.enlarged == i))
+    if (ImGui::MenuItem(std::string(name_of(view_modes[std::size_t(i)])).c_str(), nullptr,
+                        state.views.enlarged == i))
       state.views.enlarged = i;
   ImGui::Separator();
   if (item(state, "Reload shaders", "F5")) requests.reload_shaders = true;

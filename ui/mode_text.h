@@ -4,24 +4,19 @@
 
 namespace crest {
 
-/// How a mode is called, and in one line what it shows.
-struct ModeText {
-  Mode mode;
-  const char* name;
-  const char* explanation;
-};
-
-inline constexpr ModeText mode_texts[] = {
-    {Mode::dvr_only, "DVR_ONLY", "Samples along the ray alone: narrow peaks slip between them"},
-    {Mode::peak_only, "PEAK_ONLY", "The surfaces at the transfer function's peaks alone"},
-    {Mode::peak_xor_dvr, "PEAK_XOR_DVR", "Surfaces where a step crosses a peak, else samples"},
-    {Mode::both, "both", "Samples and surfaces together"},
-};
-
-constexpr const ModeText& mode_text(Mode mode) {
-  for (const ModeText& text : mode_texts)
-    if (text.mode == mode) return text;
-  return mode_texts[0];
+/// What a mode shows, in one line.
+constexpr const char* explanation_of(Mode mode) {
+  switch (mode) {
+    case Mode::dvr_only:
+      return "Samples along the ray alone: narrow peaks slip between them";
+    case Mode::peak_only:
+      return "The surfaces at the transfer function's peaks alone";
+    case Mode::peak_xor_dvr:
+      return "Surfaces where a step crosses a peak, else samples";
+    case Mode::both:
+      break;
+  }
+  return "Samples and surfaces together";
 }
 
 }  // namespace crest

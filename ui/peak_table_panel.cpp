@@ -64,6 +64,14 @@ void hover_cell(StudioState& state, const StudioInputs& inputs, ImVec2 low, floa
                                    range_text(bin_range(table, exit)));
 }
 
+/// Text turned to be read from below; `place` is where it begins, at the left of its letters' tops.
+void draw_upwards(ImDrawList& list, ImVec2 place, const char* text) {
+  const int first = list.VtxBuffer.Size;
+  list.AddText(place, palette::dim, text);
+  for (ImDrawVert* v = list.VtxBuffer.Data + first; v != list.VtxBuffer.Data + list.VtxBuffer.Size; ++v)
+    v->pos = {place.x + (v->pos.y - place.y), place.y - (v->pos.x - place.x)};
+}
+
 void facts(const PeakTable& table) {
   ImGui::BeginGroup();
   ImGui::Text("%d x %d", table.bins, table.bins);
@@ -107,10 +115,7 @@ void peak_table_panel(StudioState& state, const StudioInputs& inputs) {
   const bool roomy = text_width(least) + text_width(most) + text_width("entry value") + scaled(16) < side;
   if (roomy)
     list.AddText({low.x + (side - text_width("entry value")) / 2, text_y}, palette::dim, "entry value");
-  // Upright letters in a column: Dear ImGui draws no turned text.
-  static constexpr const char* letters[] = {"e", "x", "i", "t"};
-  for (int i = 0; i < 4; ++i)
-    list.AddText({low.x - line, low.y + side / 2 + line * (float(i) - 2)}, palette::dim, letters[i]);
+  draw_upwards(list, {corner.x, low.y + (side + text_width("exit value")) / 2}, "exit value");
   if (room.x - gutter - side > scaled(190)) {
     ImGui::SetCursorScreenPos({low.x + side + scaled(16), low.y});
     facts(table);

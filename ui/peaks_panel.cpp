@@ -88,7 +88,7 @@ bool peak_row(TransferFunction& tf, EditorState& editor, WidgetState& widgets, c
   changed |= width_cell(tf, peak, row, widgets);
   ImGui::TableNextColumn();
   SurfaceMode mode = tf.points[peak.first_point].surface.mode;
-  if (choice(widgets, field_name(row, "surface").c_str(), mode, {"auto", "on", "off"}, -1)) {
+  if (choice(widgets, field_name(row, "surface").c_str(), mode, -1)) {
     for (const std::size_t i : top_of(peak)) tf.points[i].surface.mode = mode;
     changed = true;
   }

@@ -4,8 +4,8 @@
 
 namespace crest {
 
-/// The list of peaks: values, switches, and a click that selects the peak's points. Returns whether it changed
-/// the document.
+/// The list of peaks: values, switches, and a click that selects the peak's points. Returns whether it
+/// changed the document.
 bool peaks_panel(Document& document, StudioState& state, const StudioInputs& inputs, float height);
 
 }  // namespace crest

@@ -18,7 +18,9 @@ struct Plot {
   OpacityAxis opacity_axis;
 
   float x_of(double value) const;
-  float y_of(double opacity) const { return high.y - float(opacity_axis.unit_of(opacity)) * (high.y - low.y); }
+  float y_of(double opacity) const {
+    return high.y - float(opacity_axis.unit_of(opacity)) * (high.y - low.y);
+  }
   double opacity_at(float y) const { return opacity_axis.opacity_at((high.y - y) / (high.y - low.y)); }
   ImVec2 place(const ControlPoint& point) const { return {x_of(point.value), y_of(point.opacity)}; }
 };
@@ -37,7 +39,8 @@ void draw_histogram(ImDrawList& list, const Plot& plot, const HistogramCache& hi
                     LinearMap to_domain);
 /// The curve, and the area under it in the TF's colours.
 void draw_curve(ImDrawList& list, const Plot& plot, const TransferFunction& tf);
-/// A stem and a diamond for each peak, filled when it is shown as a surface, and its value where there is room.
+/// A stem and a diamond for each peak, filled when it is shown as a surface, and its value where there is
+/// room.
 void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, std::span<const Peak> peaks);
 void draw_points(ImDrawList& list, const Plot& plot, const TransferFunction& tf, const Selection& selection,
                  std::optional<std::size_t> hovered);

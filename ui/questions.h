@@ -5,7 +5,8 @@
 namespace crest {
 
 /// The question about unsaved changes, once the person asked to quit; without any, it quits.
-void quit_question(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests);
+void quit_question(Document& document, StudioState& state, const StudioInputs& inputs,
+                   StudioRequests& requests);
 
 /// The file dialog, and what becomes of its answer.
 void file_question(StudioState& state, StudioRequests& requests);

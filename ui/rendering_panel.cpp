@@ -30,19 +30,19 @@ bool rendering_panel(Document& document, StudioState& state) {
   row("Peak form",
       "How a step with crossings is integrated:\nsplit - divided at its crossings (second order)\npaper - as "
       "published (first order)");
-  changed |= choice(widgets, "##peak form", r.peak_form, {"split", "paper"}, field);
+  changed |= choice(widgets, "##peak form", r.peak_form, field);
   row("Most peaks a step", "Crossings that one step composites at most");
   changed |= integer_field(widgets, "##max peaks", r.max_peaks, 1, 64, field);
   row("Table bins", "Bins of the peak table on each axis");
   changed |= integer_field(widgets, "##peak bins", r.peak_bins, 1, 4096, field);
   row("Shading", "none, or by the gradient with a light at the eye");
-  changed |= choice(widgets, "##shading", r.shading, {"none", "gradient"}, field);
+  changed |= choice(widgets, "##shading", r.shading, field);
   row("Early termination", "Residual transmittance at which a ray stops; 0 = never");
   changed |= number_field(widgets, "##early termination", r.early_termination, {0, 1}, field);
   row("Background", "Behind the volume");
   changed |= color_square(widgets, "##background", r.background);
   row("Mode in the file", "The mode that the preset is rendered in elsewhere; the views show all four");
-  changed |= choice(widgets, "##mode", r.mode, {"both", "PEAK_XOR_DVR", "PEAK_ONLY", "DVR_ONLY"}, field);
+  changed |= choice(widgets, "##mode", r.mode, field);
   ImGui::EndTable();
   return changed;
 }

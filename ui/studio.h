@@ -57,7 +57,7 @@ struct StudioRequests {
   /// To be done before quitting; when it fails, the program does not quit.
   std::optional<std::filesystem::path> save_preset;
   std::array<glm::ivec2, view_count>
-      view_pixels{};  ///< size to draw each view at; (0, 0) = it is not visible
+      view_pixels{};              ///< size to draw each view at; (0, 0) = it is not visible
   bool document_changed = false;  ///< by this frame: an edit, undo or redo
   bool quit = false;              ///< the person was asked about unsaved changes
   bool reload_shaders = false;

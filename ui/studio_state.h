@@ -29,7 +29,7 @@ struct StudioState {
   LayoutState layout;
   FileDialog file_dialog;
   bool show_help = false;
-  bool quit_asked = false;   ///< the person wants to leave; the question is open, or about to be
+  bool quit_asked = false;  ///< the person wants to leave; the question is open, or about to be
   bool quit_after_save = false;
   double camera_moved = -1;  ///< when the wheel last moved the camera, in Dear ImGui's seconds
   std::string under_cursor;  ///< what the status bar tells of the place under the mouse

@@ -25,7 +25,7 @@ bool add_peak(TransferFunction& tf, EditorState& editor, double value, double op
 
 bool surface_choice(TransferFunction& tf, EditorState& editor, WidgetState& widgets, float width) {
   SurfaceMode mode = tf.points[editor.selection[0]].surface.mode;
-  if (!choice(widgets, "##surface", mode, {"auto", "on", "off"}, width)) return false;
+  if (!choice(widgets, "##surface", mode, width)) return false;
   for (const std::size_t i : editor.selection) tf.points[i].surface.mode = mode;
   return true;
 }
@@ -87,8 +87,10 @@ bool toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widgets, Va
   if (number_field(widgets, "##peak width", width, {0, infinity}, scaled(74))) editor.new_peak_width = width;
   tip("Width of a new peak, in values; 0 makes a true spike");
   ImGui::SameLine();
-  choice(widgets, "##histogram", editor.histogram_scale, {"no histogram", "histogram", "log histogram"},
-         scaled(118));
+  static constexpr std::string_view scales[] = {"no histogram", "histogram", "log histogram"};
+  int scale = int(editor.histogram_scale);
+  if (choice(widgets, "##histogram", scale, scales, scaled(118)))
+    editor.histogram_scale = HistogramScale(scale);
   ImGui::SameLine();
   ImGui::Checkbox("log opacity", &editor.opacity_axis.logarithmic);
   note_item(widgets, "log opacity");
@@ -185,7 +187,7 @@ bool unit_fields(TransferFunction& tf, WidgetState& widgets) {
   changed |= number_field(widgets, "##unit distance", tf.unit_distance, {tiny, infinity}, scaled(96));
   tip("An opacity is what this length of the material absorbs");
   ImGui::SameLine();
-  changed |= choice(widgets, "##unit", tf.unit, {"world units", "voxels"}, scaled(104));
+  changed |= choice(widgets, "##unit", tf.unit, scaled(104));
   return changed;
 }
 
@@ -221,7 +223,7 @@ ValueRange in_data(LinearMap to_domain, ValueRange visible) {
 
 Plot make_plot(const EditorState& editor, ImVec2 corner, ImVec2 size, ValueRange visible) {
   Plot plot;
-  const float gutter = scaled(42), strip = scaled(42);
+  const float gutter = scaled(42), strip = axis_ticks(visible, 8).offset.empty() ? scaled(28) : scaled(44);
   plot.low = {corner.x + gutter, corner.y + scaled(6)};
   plot.high = {std::max(plot.low.x + 8, corner.x + size.x - scaled(8)),
                std::max(plot.low.y + 8, corner.y + size.y - strip)};

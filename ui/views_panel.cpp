@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "presets/names.h"
 #include "ui/camera_control.h"
 #include "ui/mode_text.h"
 #include "ui/style.h"
@@ -35,20 +36,22 @@ void right_aligned(const char* text, float right) {
 
 /// The name, what it costs, and what it shows.
 void caption(int index, StudioState& state, const ViewPicture& view) {
-  const ModeText& text = mode_text(view_modes[std::size_t(index)]);
+  const Mode mode = view_modes[std::size_t(index)];
+  const std::string name(name_of(mode));
   const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX();
   const bool enlarged = state.views.enlarged == index;
-  ImGui::TextUnformatted(text.name);
-  const float button = ImGui::CalcTextSize("restore").x + scaled(10);
+  ImGui::TextUnformatted(name.c_str());
+  const char* action = enlarged ? "restore" : "enlarge";
+  const float button = ImGui::CalcTextSize(action).x + 2 * ImGui::GetStyle().FramePadding.x;
   const std::string cost = cost_text(view);
-  const float cost_room = width - button - scaled(8) - ImGui::CalcTextSize(text.name).x - scaled(12);
+  const float cost_room = width - button - scaled(8) - ImGui::CalcTextSize(name.c_str()).x - scaled(12);
   if (!cost.empty() && ImGui::CalcTextSize(cost.c_str()).x < cost_room)
     right_aligned(cost.c_str(), start + width - button - scaled(8));
   ImGui::SameLine(start + width - button);
-  if (ImGui::SmallButton(enlarged ? "restore" : "enlarge")) state.views.enlarged = enlarged ? -1 : index;
+  if (ImGui::SmallButton(action)) state.views.enlarged = enlarged ? -1 : index;
   note_item(state.widgets, fmt::format("enlarge{}", index));
   ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
-  ImGui::TextUnformatted(text.explanation);
+  ImGui::TextUnformatted(explanation_of(mode));
   ImGui::PopStyleColor();
 }
 

@@ -1,16 +1,20 @@
 #include "ui/widgets.h"
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <glm/common.hpp>
 #include <limits>
 #include <optional>
 
 namespace crest {
+
+std::string exact_text(double value) { return fmt::format("{}", value == 0 ? 0.0 : value); }
+std::string short_text(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
+
 namespace {
 
 std::optional<double> number_in(const std::string& text) {
@@ -21,20 +25,35 @@ std::optional<double> number_in(const std::string& text) {
   return *end == '\0' ? std::optional(value) : std::nullopt;
 }
 
+glm::dvec3 in_gamut(const float (&rgb)[3]) {
+  return glm::clamp(glm::dvec3(rgb[0], rgb[1], rgb[2]), 0.0, 1.0);
+}
+
+/// The exact text where it fits into the field, or as many digits as do.
+std::string fitting_text(double value, float width) {
+  const std::string exact = exact_text(value);
+  const float room = width - 2 * ImGui::GetStyle().FramePadding.x;
+  if (ImGui::CalcTextSize(exact.c_str()).x <= room) return exact;
+  std::string text;
+  for (const int digits : {12, 10, 9, 8, 7, 6}) {
+    text = fmt::format("{:.{}g}", value, digits);
+    if (ImGui::CalcTextSize(text.c_str()).x <= room) break;
+  }
+  return text;
+}
+
 }  // namespace
 
 void note_item(WidgetState& state, std::string name) {
   state.items[std::move(name)] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
 }
 
-std::string exact_text(double value) { return fmt::format("{}", value == 0 ? 0.0 : value); }
-std::string short_text(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
-
 bool number_field(WidgetState& state, const char* name, double& value, ValueRange limits, float width) {
   const ImGuiID id = ImGui::GetID(name);
-  const auto found = state.typed.find(id);
-  std::string text = found != state.typed.end() ? found->second : exact_text(value);
   ImGui::SetNextItemWidth(width);
+  const std::string shown = fitting_text(value, ImGui::CalcItemWidth());
+  const auto found = state.typed.find(id);
+  std::string text = found != state.typed.end() ? found->second : shown;
   ImGui::InputText(name, &text, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
   note_item(state, name);
   if (ImGui::IsItemActive()) {
@@ -43,7 +62,7 @@ bool number_field(WidgetState& state, const char* name, double& value, ValueRang
   }
   if (found == state.typed.end()) return false;
   state.typed.erase(found);
-  if (text == exact_text(value)) return false;
+  if (text == shown) return false;
   const std::optional<double> typed = number_in(text);
   if (!typed) return false;
   const double before = std::exchange(value, std::clamp(*typed, limits.min, limits.max));
@@ -62,7 +81,7 @@ bool color_square(WidgetState& state, const char* name, glm::dvec3& color) {
   const bool changed =
       ImGui::ColorEdit3(name, rgb, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
   note_item(state, name);
-  if (changed) color = glm::clamp(glm::dvec3(rgb[0], rgb[1], rgb[2]), 0.0, 1.0);
+  if (changed) color = in_gamut(rgb);
   return changed;
 }
 
@@ -70,28 +89,24 @@ bool color_picker(const char* name, glm::dvec3& color) {
   float rgb[3] = {float(color.r), float(color.g), float(color.b)};
   if (!ImGui::ColorPicker3(name, rgb, ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview))
     return false;
-  color = glm::clamp(glm::dvec3(rgb[0], rgb[1], rgb[2]), 0.0, 1.0);
+  color = in_gamut(rgb);
   return true;
 }
 
-bool choice(WidgetState& state, const char* name, int& value, std::initializer_list<const char*> names,
+bool choice(WidgetState& state, const char* name, int& value, std::span<const std::string_view> names,
             float width) {
-  const int count = int(names.size());
-  const char* shown = value >= 0 && value < count ? names.begin()[value] : "";
-  bool changed = false;
+  const auto text_of = [&](std::size_t i) { return std::string(names[i]); };
+  const std::size_t now = std::size_t(value);
   ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo(name, shown);
+  const bool open = ImGui::BeginCombo(name, now < names.size() ? text_of(now).c_str() : "");
   note_item(state, name);
   if (!open) return false;
-  for (int i = 0; i < count; ++i) {
-    if (ImGui::Selectable(names.begin()[i], i == value) && i != value) {
-      value = i;
-      changed = true;
-    }
-    note_item(state, fmt::format("{}/{}", name, names.begin()[i]));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (ImGui::Selectable(text_of(i).c_str(), i == now)) value = int(i);
+    note_item(state, fmt::format("{}/{}", name, names[i]));
   }
   ImGui::EndCombo();
-  return changed;
+  return std::size_t(value) != now;
 }
 
 void field_label(const char* text) {

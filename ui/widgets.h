@@ -2,14 +2,16 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
 
-#include "presets/transfer_function.h"
+#include "presets/names.h"
 
 namespace crest {
 
@@ -34,7 +36,8 @@ std::string exact_text(double value);
 std::string short_text(double value);
 
 /// A field for a number, shown and taken with full precision; Enter or leaving the field takes it, Escape
-/// does not. What is no number is ignored, what is out of `limits` is moved to them. `name` is its ID (give it
+/// does not. What is no number is ignored, what is out of `limits` is moved to them. `name` is its ID (give
+/// it
 /// "##"); it is noted as an item. Returns whether the value changed.
 bool number_field(WidgetState& state, const char* name, double& value, ValueRange limits, float width);
 bool integer_field(WidgetState& state, const char* name, int& value, int least, int most, float width);
@@ -44,13 +47,21 @@ bool color_square(WidgetState& state, const char* name, glm::dvec3& color);
 /// The picker alone, for a popup.
 bool color_picker(const char* name, glm::dvec3& color);
 
-/// A combo box over the names of an enum whose values are 0, 1, ...
-bool choice(WidgetState& state, const char* name, int& value, std::initializer_list<const char*> names, float width);
-template <class Enum>
-bool choice(WidgetState& state, const char* name, Enum& value, std::initializer_list<const char*> names, float width) {
-  int index = int(value);
+/// A combo box over names; `value` counts them from 0.
+bool choice(WidgetState& state, const char* name, int& value, std::span<const std::string_view> names,
+            float width);
+/// A combo box over the values of an enum, by the names that they have in files.
+template <NamedEnum Enum>
+bool choice(WidgetState& state, const char* name, Enum& value, float width) {
+  constexpr std::size_t count = std::size(EnumNames<Enum>::table);
+  std::array<std::string_view, count> names;
+  int index = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    names[i] = EnumNames<Enum>::table[i].name;
+    if (EnumNames<Enum>::table[i].value == value) index = int(i);
+  }
   if (!choice(state, name, index, names, width)) return false;
-  value = Enum(index);
+  value = EnumNames<Enum>::table[std::size_t(index)].value;
   return true;
 }
 
