@@ -25,12 +25,15 @@ struct Peak {
 /// A peak is an inner point whose opacity is strictly greater than both its neighbours', with neither
 /// neighbour at its value unless both are; its prominence is at least min_prominence. Points on the straight
 /// line of a flank change nothing: neighbours are where the flanks end. (Knoll et al. 2009, section 4.1.)
+/// Points of one plateau, and the same point twice, are one peak: hidden if any of them is switched off, with
+/// the first surface opacity that one of them has. Takes O(n log n).
 std::vector<Peak> find_peaks(const TransferFunction& tf);
 
 /// Those that are shown, by ascending value.
 std::vector<Peak> shown_peaks(const std::vector<Peak>& peaks);
 
-/// The TF with each spike that is shown as a surface taken out, its neighbours joined by a line.
+/// `peaks` are those of `tf`. The TF with each spike that is shown as a surface taken out, its neighbours
+/// joined by a line.
 TransferFunction base_transfer_function(const TransferFunction& tf, const std::vector<Peak>& peaks);
 
 }  // namespace crest

@@ -227,6 +227,9 @@ TEST(ParsePreset, SurvivesHostileTexts) {
   std::string keys = "{";
   for (int i = 0; i < 300000; ++i) keys += fmt::format("\"k{}\":0,", i);
   EXPECT_EQ(error_of(keys + "\"name\":0}"), "FILE: k1000: one object has more than 1000 keys");
+  std::string elements = "[";
+  for (int i = 0; i < 5000000; ++i) elements += "{},";
+  EXPECT_EQ(error_of(elements + "0]"), "FILE: an array of 5000001 is not an object");
   EXPECT_NE(error_of(std::string(17 << 20, ' ')).find("more than a preset may have"), std::string::npos);
   const std::string text = sample().dump();
   for (std::size_t length = 0; length < text.size(); ++length)
@@ -235,8 +238,8 @@ TEST(ParsePreset, SurvivesHostileTexts) {
 
 TEST(ParsePreset, ReadsManyPoints) {
   Preset preset;
-  preset.transfer_function.points.resize(100000);
-  for (std::size_t i = 0; i < 100000; ++i) preset.transfer_function.points[i].value = double(i) / 7;
+  preset.transfer_function.points.resize(50000);
+  for (std::size_t i = 0; i < 50000; ++i) preset.transfer_function.points[i].value = double(i) / 7;
   EXPECT_EQ(parse_preset(write_preset(preset), "FILE"), preset);
 }
 
