@@ -175,7 +175,7 @@ void Raycaster::State::bind(const Scene& scene, const Features& features, GLuint
     set(program, "peak_table", int(peak_table_unit));
     glBindTextureUnit(peak_runs_unit, peak_table.runs.id());
     set(program, "peak_runs", int(peak_runs_unit));
-    set(program, "bin_min_scale", glm::vec2(table.range.min, table.bins / table.range.width()));
+    set(program, "bin_min_scale", glm::vec2(table.range.min, table.bin_scale()));
   }
 }
 
