@@ -75,12 +75,12 @@ bool point_fields(TransferFunction& tf, EditorState& editor, WidgetState& widget
 bool toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widgets, ValueRange visible) {
   bool changed = false;
   if (ImGui::Button("Add peak")) {
-    const double middle = (visible.min + visible.max) / 2;
+    const double middle = widest_gap(tf, visible);
     changed |= add_peak(tf, editor, round_to_resolution(middle, 0.01 * visible.width()), 0.8,
                         new_peak_width(editor, visible));
   }
   note_item(widgets, "add peak");
-  tip("Adds a spike in the middle of what is in sight.\nThe right-click menu adds one under the mouse.");
+  tip("Adds a spike where there is most room.\nThe right-click menu adds one under the mouse.");
   ImGui::SameLine();
   field_label("width");
   double width = new_peak_width(editor, visible);

@@ -66,6 +66,18 @@ TEST(InsertPeak, IsSqueezedBetweenItsNeighbours) {
   EXPECT_EQ(tf.points.size(), 7U);
 }
 
+TEST(InsertPeak, AtAPointThatIsThereIsStillAPeak) {
+  TransferFunction tf = tf_of({{0, 0}, {5, 0.2}, {10, 0}});
+  insert_peak(tf, 5, 0.9, 0.1, {1, 1, 1});
+  ASSERT_EQ(find_peaks(tf).size(), 1U);
+  EXPECT_EQ(find_peaks(tf)[0].opacity, 0.9);
+}
+
+TEST(WidestGap, IsWhereThereIsMostRoom) {
+  EXPECT_EQ(widest_gap(tf_of({{0, 0}, {1, 0}, {4, 0}, {5, 0}}), {0, 5}), 2.5);
+  EXPECT_EQ(widest_gap({}, {2, 4}), 3);
+}
+
 TEST(InsertStep, JumpsToTheOpacity) {
   TransferFunction tf = tf_of({{0, 0}, {10, 0}});
   insert_step(tf, 4, 0.5);

@@ -38,6 +38,7 @@ class Files : public Studio {
     return result;
   }
   void choose(const char* menu, const char* item) {
+    frames(30);
     click(std::string("menu/") + menu);
     move_to(center_of(item));
     press();

@@ -69,8 +69,9 @@ TEST(AxisTicks, TellApartWhatIsFarFromZero) {
     for (const auto& tick : ticks.ticks) {
       EXPECT_TRUE(labels.insert(tick.label).second) << tick.label << " twice at " << width;
       EXPECT_LE(tick.label.size(), 10U);
-      if (!ticks.offset.empty())
+      if (!ticks.offset.empty()) {
         EXPECT_NEAR(std::stod(ticks.offset) + std::stod(tick.label), tick.value, 1e-3 * width + 2e-13);
+      }
     }
   }
 }
