@@ -54,10 +54,27 @@ std::size_t insert_peak(TransferFunction& tf, double value, double opacity, doub
   double left = value - width / 2, right = value + width / 2;
   if (place > 0) left = std::max(left, tf.points[place - 1].value);
   if (place < tf.points.size()) right = std::min(right, tf.points[place].value);
-  ControlPoint apex = point_at(value, {color, opacity});
+  // With one flank only it would be a step's corner, and no peak.
+  if (left == value || right == value) left = right = value;
+  const ControlPoint apex = point_at(value, {color, opacity});
   insert_at(tf, place,
             {point_at(left, evaluate_right(tf, left)), apex, point_at(right, evaluate_left(tf, right))});
   return place + 1;
+}
+
+double widest_gap(const TransferFunction& tf, ValueRange range) {
+  double from = range.min, widest = -1, middle = (range.min + range.max) / 2;
+  const auto gap_to = [&](double to) {
+    if (to - from > widest) {
+      widest = to - from;
+      middle = (from + to) / 2;
+    }
+    from = to;
+  };
+  for (const ControlPoint& point : tf.points)
+    if (point.value > range.min && point.value < range.max) gap_to(point.value);
+  gap_to(range.max);
+  return middle;
 }
 
 std::size_t insert_step(TransferFunction& tf, double value, double opacity) {

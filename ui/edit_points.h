@@ -21,6 +21,9 @@ std::size_t insert_point(TransferFunction& tf, double value, double opacity);
 /// when width is 0). It is squeezed between the points that are there. Returns the apex's index.
 std::size_t insert_peak(TransferFunction& tf, double value, double opacity, double width, glm::dvec3 color);
 
+/// The middle of the widest part of `range` that has no point: a place for a new peak.
+double widest_gap(const TransferFunction& tf, ValueRange range);
+
 /// Puts in a jump from the curve to `opacity`. Returns the index of its upper point.
 std::size_t insert_step(TransferFunction& tf, double value, double opacity);
 

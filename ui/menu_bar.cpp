@@ -6,6 +6,7 @@
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
 #include "ui/keys.h"
+#include "ui/questions.h"
 #include "ui/style.h"
 
 namespace crest {
@@ -25,20 +26,9 @@ bool menu(StudioState& state, const char* text) {
 
 bool is_preset(const std::string& file) { return file.ends_with(".json"); }
 
-void ask_for(StudioState& state, const Document& document, FilePurpose purpose) {
-  const std::string source = document.volume_source.substr(0, document.volume_source.find('?'));
-  const bool is_file = !source.empty() && !source.starts_with("builtin:");
-  const std::filesystem::path volume = is_file ? source : "";
-  open_file_dialog(
-      state.file_dialog, purpose,
-      purpose == FilePurpose::open_volume || document.preset_path.empty() ? volume : document.preset_path);
-  if (purpose == FilePurpose::save_preset && document.preset_path.empty())
-    state.file_dialog.name = "preset.json";
-}
-
 void save(Document& document, StudioState& state, StudioRequests& requests) {
   if (document.preset_path.empty())
-    ask_for(state, document, FilePurpose::save_preset);
+    ask_for_file(state, document, FilePurpose::save_preset);
   else
     requests.save_preset = document.preset_path;
 }
@@ -61,7 +51,7 @@ void recent_files(StudioState& state, const StudioInputs& inputs, StudioRequests
 void volume_menu(const Document& document, StudioState& state, const StudioInputs& inputs,
                  StudioRequests& requests) {
   if (!menu(state, "Volume")) return;
-  if (item(state, "Open volume...", "Ctrl+O")) ask_for(state, document, FilePurpose::open_volume);
+  if (item(state, "Open volume...", "Ctrl+O")) ask_for_file(state, document, FilePurpose::open_volume);
   recent_files(state, inputs, requests, false);
   if (menu(state, "Built-in")) {
     for (const Builtin& builtin : builtins()) {
@@ -106,12 +96,12 @@ bool preset_menu(Document& document, StudioState& state, const StudioInputs& inp
   if (!menu(state, "Preset")) return false;
   bool changed = false;
   if (item(state, "New")) requests.new_preset = true;
-  if (item(state, "Open preset...", "Ctrl+Shift+O")) ask_for(state, document, FilePurpose::open_preset);
+  if (item(state, "Open preset...", "Ctrl+Shift+O")) ask_for_file(state, document, FilePurpose::open_preset);
   recent_files(state, inputs, requests, true);
   library_menu(state, requests);
   ImGui::Separator();
   if (item(state, "Save", "Ctrl+S")) save(document, state, requests);
-  if (item(state, "Save as...", "Ctrl+Shift+S")) ask_for(state, document, FilePurpose::save_preset);
+  if (item(state, "Save as...", "Ctrl+Shift+S")) ask_for_file(state, document, FilePurpose::save_preset);
   ImGui::Separator();
   const bool normalized = document.preset.transfer_function.domain == Domain::normalized;
   if (item(state, "Fit to the volume's range", nullptr, inputs.volume != nullptr))
@@ -132,7 +122,10 @@ bool edit_menu(Document& document, StudioState& state) {
   return changed;
 }
 
-bool reset_view(Document& document) {
+/// Back to the whole volume. A turn of the wheel just before is a step of its own.
+bool reset_view(Document& document, StudioState& state) {
+  state.history.record(document);
+  state.camera_moved = -1;
   const bool changed = document.preset.camera.has_value();
   document.preset.camera.reset();
   return changed;
@@ -141,7 +134,7 @@ bool reset_view(Document& document) {
 bool view_menu(Document& document, StudioState& state, StudioRequests& requests) {
   if (!menu(state, "View")) return false;
   bool changed = false;
-  if (item(state, "Reset view", "R")) changed |= reset_view(document);
+  if (item(state, "Reset view", "R")) changed |= reset_view(document, state);
   ImGui::MenuItem("Outline and axes", nullptr, &state.views.outline);
   ImGui::Separator();
   if (ImGui::MenuItem("All four views", "Esc", state.views.enlarged < 0)) state.views.enlarged = -1;
@@ -198,8 +191,8 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
   if (key_pressed(key_f5)) requests.reload_shaders = true;
   if (io.KeyCtrl) {
     if (key_pressed('O'))
-      ask_for(state, document, io.KeyShift ? FilePurpose::open_preset : FilePurpose::open_volume);
-    if (key_pressed('S') && io.KeyShift) ask_for(state, document, FilePurpose::save_preset);
+      ask_for_file(state, document, io.KeyShift ? FilePurpose::open_preset : FilePurpose::open_volume);
+    if (key_pressed('S') && io.KeyShift) ask_for_file(state, document, FilePurpose::save_preset);
     if (key_pressed('S') && !io.KeyShift) save(document, state, requests);
     if (key_pressed('Q')) state.quit_asked = true;
     // A field that is being typed in has an undo of its own, and a drag is one step that is not over.
@@ -210,7 +203,7 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
   }
   if (io.WantTextInput) return false;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) state.views.enlarged = -1;
-  return key_pressed('R') && reset_view(document);
+  return key_pressed('R') && !ImGui::IsAnyMouseDown() && reset_view(document, state);
 }
 
 }  // namespace crest

@@ -8,11 +8,11 @@ namespace crest {
 constexpr const char* explanation_of(Mode mode) {
   switch (mode) {
     case Mode::dvr_only:
-      return "Samples along the ray alone: narrow peaks slip between them";
+      return "Samples alone: narrow peaks slip between them";
     case Mode::peak_only:
-      return "The surfaces at the transfer function's peaks alone";
+      return "The surfaces at the curve's peaks alone";
     case Mode::peak_xor_dvr:
-      return "Surfaces where a step crosses a peak, else samples";
+      return "Surfaces where a step meets them, else samples";
     case Mode::both:
       break;
   }

@@ -112,7 +112,8 @@ void peak_table_panel(StudioState& state, const StudioInputs& inputs) {
   const float text_y = low.y + side + scaled(4);
   list.AddText({low.x, text_y}, palette::dim, least.c_str());
   list.AddText({low.x + side - text_width(most), text_y}, palette::dim, most.c_str());
-  const bool roomy = text_width(least) + text_width(most) + text_width("entry value") + scaled(16) < side;
+  const bool roomy =
+      std::max(text_width(least), text_width(most)) + scaled(8) < (side - text_width("entry value")) / 2;
   if (roomy)
     list.AddText({low.x + (side - text_width("entry value")) / 2, text_y}, palette::dim, "entry value");
   draw_upwards(list, {corner.x, low.y + (side + text_width("exit value")) / 2}, "exit value");

@@ -130,14 +130,15 @@ bool peaks_panel(Document& document, StudioState& state, const StudioInputs& inp
   if (!ImGui::BeginTable("peaks", 7, flags, {0, height})) return false;
   columns();
   bool changed = false;
+  std::vector<const Peak*> rows;
+  for (const Peak& peak : inputs.peaks)  // found before the last edit, perhaps of points that are gone
+    if (std::max(peak.right, peak.last_point) < tf.points.size()) rows.push_back(&peak);
   ImGuiListClipper clipper;
-  clipper.Begin(int(inputs.peaks.size()));
+  clipper.Begin(int(rows.size()));
   while (clipper.Step())
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
-      const Peak& peak = inputs.peaks[std::size_t(row)];
-      if (peak.right >= tf.points.size() || peak.last_point >= tf.points.size()) continue;
       ImGui::TableNextRow();
-      changed |= peak_row(tf, state.editor, state.widgets, peak, std::size_t(row));
+      changed |= peak_row(tf, state.editor, state.widgets, *rows[std::size_t(row)], std::size_t(row));
     }
   ImGui::EndTable();
   return changed;

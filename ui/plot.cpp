@@ -1,5 +1,7 @@
 #include "ui/plot.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,8 +54,7 @@ std::vector<CurveVertex> curve_of(const Plot& plot, const TransferFunction& tf) 
 }
 
 /// A strip between the places and the plot's floor, as one mesh.
-void fill_below(ImDrawList& list, float floor, std::span<const CurveVertex> curve, double alpha_top,
-                double alpha_floor) {
+void fill_below(ImDrawList& list, float floor, std::span<const CurveVertex> curve, double alpha) {
   if (curve.size() < 2) return;
   const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
   const int quads = int(curve.size()) - 1;
@@ -62,16 +63,20 @@ void fill_below(ImDrawList& list, float floor, std::span<const CurveVertex> curv
     const CurveVertex &a = curve[i], &b = curve[i + 1];
     const auto first = ImDrawIdx(list._VtxCurrentIdx);
     for (const int corner : {0, 1, 2, 0, 2, 3}) list.PrimWriteIdx(ImDrawIdx(first + corner));
-    list.PrimWriteVtx(a.place, white, packed(a.color, alpha_top));
-    list.PrimWriteVtx(b.place, white, packed(b.color, alpha_top));
-    list.PrimWriteVtx({b.place.x, floor}, white, packed(b.color, alpha_floor));
-    list.PrimWriteVtx({a.place.x, floor}, white, packed(a.color, alpha_floor));
+    list.PrimWriteVtx(a.place, white, packed(a.color, alpha));
+    list.PrimWriteVtx(b.place, white, packed(b.color, alpha));
+    list.PrimWriteVtx({b.place.x, floor}, white, packed(b.color, alpha));
+    list.PrimWriteVtx({a.place.x, floor}, white, packed(a.color, alpha));
   }
 }
 
 void label(ImDrawList& list, ImVec2 place, float align, const char* text, ImU32 color) {
   const ImVec2 size = ImGui::CalcTextSize(text);
   list.AddText({std::round(place.x - align * size.x), std::round(place.y)}, color, text);
+}
+
+std::string opacity_text(double opacity) {
+  return opacity > 0 && opacity < 0.01 ? fmt::format("{:.0e}", opacity) : fmt::format("{}", opacity);
 }
 
 void draw_opacity_axis(ImDrawList& list, const Plot& plot) {
@@ -84,7 +89,7 @@ void draw_opacity_axis(ImDrawList& list, const Plot& plot) {
     const float y = std::round(plot.y_of(opacity));
     list.AddLine({plot.low.x, y}, {plot.high.x, y}, palette::grid);
     const float text_y = std::clamp(y - height / 2, plot.low.y - height / 2, plot.high.y - height * 0.8F);
-    label(list, {plot.low.x - scaled(6), text_y}, 1, short_text(opacity).c_str(), palette::dim);
+    label(list, {plot.low.x - scaled(6), text_y}, 1, opacity_text(opacity).c_str(), palette::dim);
   }
 }
 
@@ -160,13 +165,13 @@ void draw_histogram(ImDrawList& list, const Plot& plot, const HistogramCache& hi
     outline.push_back({{left, y}, color});
     outline.push_back({{std::max(right, left + 1), y}, color});
   }
-  fill_below(list, plot.high.y, outline, 1, 1);
+  fill_below(list, plot.high.y, outline, 1);
 }
 
 void draw_curve(ImDrawList& list, const Plot& plot, const TransferFunction& tf) {
   if (tf.points.empty()) return;
   const std::vector<CurveVertex> curve = curve_of(plot, tf);
-  fill_below(list, plot.high.y, curve, 0.72, 0.30);
+  fill_below(list, plot.high.y, curve, 0.55);
   std::vector<ImVec2> places;
   places.reserve(curve.size());
   for (const CurveVertex& v : curve) places.push_back(v.place);
@@ -185,14 +190,19 @@ void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, 
     list.AddLine({x, plot.high.y}, {x, y}, stem, 1.5F);
     draw_diamond(list, {x, y}, scaled(7), packed(first.color), peak.shown);
     const std::string text = short_text((first.value + last.value) / 2);
-    const float half = ImGui::CalcTextSize(text.c_str()).x / 2;
-    const float center =
-        std::clamp(x, plot.low.x + half + 2, std::max(plot.low.x + half + 2, plot.high.x - half - 2));
-    if (center - half < label_end) continue;
-    label_end = center + half + scaled(6);
-    const float above = y - scaled(10) - ImGui::GetFontSize();
-    const float text_y = above > plot.low.y ? above : y + scaled(10);
-    label(list, {center, text_y}, 0.5F, text.c_str(), peak.shown ? palette::text : palette::dim);
+    const float width = ImGui::CalcTextSize(text.c_str()).x, height = ImGui::GetFontSize();
+    // Above the diamond, or beside it where the plot ends.
+    const bool above = y - scaled(10) - height > plot.low.y;
+    const float beside = x + scaled(10) + width < plot.high.x ? x + scaled(10) : x - scaled(10) - width;
+    const float left =
+        above ? std::clamp(x - width / 2, plot.low.x + 2, std::max(plot.low.x + 2, plot.high.x - width - 2))
+              : beside;
+    if (left < label_end) continue;
+    label_end = left + width + scaled(6);
+    const float top = above ? y - scaled(9) - height : y - height / 2;
+    list.AddText({std::round(left) + 1, std::round(top) + 1}, palette::plot, text.c_str());
+    list.AddText({std::round(left), std::round(top)}, peak.shown ? palette::text : palette::dim,
+                 text.c_str());
   }
 }
 

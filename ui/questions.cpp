@@ -42,6 +42,17 @@ void center_next_window() {
 
 }  // namespace
 
+void ask_for_file(StudioState& state, const Document& document, FilePurpose purpose) {
+  const std::string source = document.volume_source.substr(0, document.volume_source.find('?'));
+  const bool is_file = !source.empty() && !source.starts_with("builtin:");
+  const std::filesystem::path volume = is_file ? source : "";
+  open_file_dialog(
+      state.file_dialog, purpose,
+      purpose == FilePurpose::open_volume || document.preset_path.empty() ? volume : document.preset_path);
+  if (purpose == FilePurpose::save_preset && document.preset_path.empty())
+    state.file_dialog.name = "preset.json";
+}
+
 void quit_question(Document& document, StudioState& state, const StudioInputs& inputs,
                    StudioRequests& requests) {
   if (inputs.close_requested) state.quit_asked = true;
@@ -71,7 +82,7 @@ void quit_question(Document& document, StudioState& state, const StudioInputs& i
   if (button("Save##quit")) {
     state.quit_after_save = true;
     if (document.preset_path.empty())
-      open_file_dialog(state.file_dialog, FilePurpose::save_preset, "preset.json");
+      ask_for_file(state, document, FilePurpose::save_preset);
     else
       requests.save_preset = document.preset_path;
   }

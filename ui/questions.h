@@ -8,6 +8,9 @@ namespace crest {
 void quit_question(Document& document, StudioState& state, const StudioInputs& inputs,
                    StudioRequests& requests);
 
+/// Opens the file dialog beside the document's preset or volume.
+void ask_for_file(StudioState& state, const Document& document, FilePurpose purpose);
+
 /// The file dialog, and what becomes of its answer.
 void file_question(StudioState& state, StudioRequests& requests);
 

@@ -30,14 +30,15 @@ void load_font(float scale) {
 void set_colors(ImVec4* colors) {
   const ImVec4 accent = color(palette::accent);
   const auto with_alpha = [](ImVec4 c, float alpha) { return ImVec4(c.x, c.y, c.z, alpha); };
-  const ImVec4 field = color(IM_COL32(36, 39, 46, 255)), raised = color(IM_COL32(48, 52, 61, 255)),
-               hovered = color(IM_COL32(60, 66, 78, 255)), pressed = color(IM_COL32(72, 82, 98, 255));
+  const ImVec4 field = color(IM_COL32(40, 44, 52, 255)), raised = color(IM_COL32(54, 59, 70, 255)),
+               hovered = color(IM_COL32(66, 73, 87, 255)), pressed = color(IM_COL32(72, 82, 98, 255));
   colors[ImGuiCol_Text] = color(palette::text);
   colors[ImGuiCol_TextDisabled] = color(palette::dim);
   colors[ImGuiCol_WindowBg] = color(palette::window);
   colors[ImGuiCol_ChildBg] = ImVec4(0, 0, 0, 0);
   colors[ImGuiCol_PopupBg] = color(IM_COL32(30, 33, 39, 255));
-  colors[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.45f);
+  // Dimming the whole window costs a software renderer as much as everything else.
+  colors[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0);
   colors[ImGuiCol_Border] = color(palette::frame);
   colors[ImGuiCol_FrameBg] = field;
   colors[ImGuiCol_FrameBgHovered] = raised;

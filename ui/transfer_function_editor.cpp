@@ -75,21 +75,21 @@ bool point_fields(TransferFunction& tf, EditorState& editor, WidgetState& widget
 bool toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widgets, ValueRange visible) {
   bool changed = false;
   if (ImGui::Button("Add peak")) {
-    const double middle = (visible.min + visible.max) / 2;
+    const double middle = widest_gap(tf, visible);
     changed |= add_peak(tf, editor, round_to_resolution(middle, 0.01 * visible.width()), 0.8,
                         new_peak_width(editor, visible));
   }
   note_item(widgets, "add peak");
-  tip("Adds a spike in the middle of what is in sight.\nThe right-click menu adds one under the mouse.");
+  tip("Adds a spike where there is most room.\nThe right-click menu adds one under the mouse.");
   ImGui::SameLine();
   field_label("width");
   double width = new_peak_width(editor, visible);
-  if (number_field(widgets, "##peak width", width, {0, infinity}, scaled(74))) editor.new_peak_width = width;
+  if (number_field(widgets, "##peak width", width, {0, infinity}, scaled(62))) editor.new_peak_width = width;
   tip("Width of a new peak, in values; 0 makes a true spike");
   ImGui::SameLine();
-  static constexpr std::string_view scales[] = {"no histogram", "histogram", "log histogram"};
+  static constexpr std::string_view scales[] = {"no histogram", "linear hist.", "log hist."};
   int scale = int(editor.histogram_scale);
-  if (choice(widgets, "##histogram", scale, scales, scaled(118)))
+  if (choice(widgets, "##histogram", scale, scales, scaled(104)))
     editor.histogram_scale = HistogramScale(scale);
   ImGui::SameLine();
   ImGui::Checkbox("log opacity", &editor.opacity_axis.logarithmic);

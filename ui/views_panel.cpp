@@ -53,6 +53,7 @@ void caption(int index, StudioState& state, const ViewPicture& view) {
   ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
   ImGui::TextUnformatted(explanation_of(mode));
   ImGui::PopStyleColor();
+  tip(explanation_of(mode));
 }
 
 double size_of_box(const Volume* volume) { return volume ? glm::length(volume->grid.box_size()) : 1; }

@@ -35,7 +35,7 @@ std::string fitting_text(double value, float width) {
   const float room = width - 2 * ImGui::GetStyle().FramePadding.x;
   if (ImGui::CalcTextSize(exact.c_str()).x <= room) return exact;
   std::string text;
-  for (const int digits : {12, 10, 9, 8, 7, 6}) {
+  for (const int digits : {12, 10, 9, 8, 7, 6, 5, 4, 3}) {
     text = fmt::format("{:.{}g}", value, digits);
     if (ImGui::CalcTextSize(text.c_str()).x <= room) break;
   }

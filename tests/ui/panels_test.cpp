@@ -1,0 +1,226 @@
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "tests/ui/harness.h"
+#include "ui/transfer_function_editor.h"
+
+namespace crest::test {
+namespace {
+
+using Panels = Studio;
+using Views = Studio;
+using Hostile = Studio;
+
+double distance(const Camera& camera) { return glm::length(camera.eye - camera.target); }
+
+TEST_F(Panels, APeakIsSwitchedOffAndOn) {
+  ASSERT_EQ(inputs.peaks.size(), 1U);
+  EXPECT_TRUE(inputs.peaks[0].shown);
+  click("##peak0.surface");
+  click("##peak0.surface/off");
+  EXPECT_EQ(tf().points[2].surface.mode, SurfaceMode::off);
+  EXPECT_FALSE(inputs.peaks[0].shown);
+  click("##peak0.surface");
+  click("##peak0.surface/on");
+  EXPECT_EQ(tf().points[2].surface.mode, SurfaceMode::on);
+  EXPECT_TRUE(inputs.peaks[0].shown);
+}
+
+TEST_F(Panels, APeakIsEditedByNumbers) {
+  type("##peak0.value", "48.0625");
+  EXPECT_EQ(tf().points[2].value, 48.0625);
+  type("##peak0.opacity", "0.3333333333333333");
+  EXPECT_EQ(tf().points[2].opacity, 0.3333333333333333);
+  type("##peak0.width", "1");
+  EXPECT_NEAR(tf().points[3].value - tf().points[1].value, 1, 1e-12);
+}
+
+TEST_F(Panels, AClickInTheListSelectsThePoint) {
+  state->editor.selection = {0};
+  const auto& [low, high] = state->widgets.items.at("peak0");
+  click(ImVec2{low.x + 6, (low.y + high.y) / 2});
+  EXPECT_EQ(state->editor.selection, Selection{2});
+}
+
+TEST_F(Panels, ThePeakTableTellsItsCells) {
+  const auto [low, high] = state->widgets.items.at("peak table");
+  move_to({low.x + 2, low.y + 2});
+  frame();
+  EXPECT_NE(state->under_cursor.find("entry 0 .. 0.78125"), std::string::npos) << state->under_cursor;
+  EXPECT_NE(state->under_cursor.find("exit 99.2188 .. 100"), std::string::npos) << state->under_cursor;
+}
+
+TEST_F(Panels, RenderingFieldsKeepTheirRanges) {
+  click("tab/Rendering");
+  Rendering& rendering = document.preset.rendering;
+  type("##step", "0.125");
+  EXPECT_EQ(rendering.step, 0.125);
+  type("##step", "-3");
+  EXPECT_GT(rendering.step, 0);
+  type("##max peaks", "1000");
+  EXPECT_EQ(rendering.max_peaks, 64);
+  type("##peak bins", "16");
+  EXPECT_EQ(rendering.peak_bins, 16);
+  click("##peak form");
+  click("##peak form/paper");
+  EXPECT_EQ(rendering.peak_form, PeakForm::paper);
+  click("##shading");
+  click("##shading/gradient");
+  EXPECT_EQ(rendering.shading, Shading::gradient);
+  click("##mode");
+  click("##mode/PEAK_XOR_DVR");
+  EXPECT_EQ(rendering.mode, Mode::peak_xor_dvr);
+}
+
+TEST_F(Views, FourPicturesOfAboutTheSameSize) {
+  for (const glm::ivec2 size : requests.view_pixels) {
+    EXPECT_NEAR(size.x, 540, 40);
+    EXPECT_NEAR(size.y, 500, 40);
+  }
+}
+
+TEST_F(Views, LeftDragTurnsAndUndoIsOneStep) {
+  const Camera before = inputs.camera;
+  const ImVec2 middle = center_of("view1");
+  drag(middle, {middle.x + 60, middle.y + 25});
+  ASSERT_TRUE(document.preset.camera);
+  EXPECT_NEAR(distance(*document.preset.camera), distance(before), 1e-9);
+  EXPECT_GT(glm::length(document.preset.camera->eye - before.eye), 1);
+  EXPECT_EQ(document.preset.camera->target, before.target);
+  ctrl('Z');
+  EXPECT_FALSE(document.preset.camera);
+}
+
+TEST_F(Views, ThePictureFollowsThePan) {
+  const ImVec2 middle = center_of("view0");
+  drag(middle, {middle.x + 60, middle.y}, 2);
+  ASSERT_TRUE(document.preset.camera);
+  const Camera camera = *document.preset.camera;
+  EXPECT_NEAR(glm::length(camera.eye - inputs.camera.eye), glm::length(camera.target - inputs.camera.target),
+              1e-9);
+  const double height = 2 * std::tan(camera.fov_y_degrees * std::acos(-1.0) / 360) * distance(camera);
+  EXPECT_NEAR(glm::length(camera.eye - inputs.camera.eye), 60 * height / requests.view_pixels[0].y, 1e-6);
+  EXPECT_LT(camera.eye.x, inputs.camera.eye.x) << "the picture goes right, so the camera goes left";
+}
+
+TEST_F(Views, WheelDolliesAndResetForgetsTheCamera) {
+  move_to(center_of("view3"));
+  for (int i = 0; i < 4; ++i) wheel(1);
+  ASSERT_TRUE(document.preset.camera);
+  EXPECT_LT(distance(*document.preset.camera), 0.7 * distance(inputs.camera));
+  key('R');
+  EXPECT_FALSE(document.preset.camera);
+  frames(60);
+  ctrl('Z');
+  EXPECT_TRUE(document.preset.camera);
+}
+
+TEST_F(Views, AViewIsEnlargedAndPutBack) {
+  const int before = requests.view_pixels[2].x;
+  click("enlarge2");
+  frame();
+  EXPECT_GT(requests.view_pixels[2].x, before * 1.9);
+  EXPECT_EQ(requests.view_pixels[0], glm::ivec2(0));
+  key_of(ImGuiKey_Escape);
+  frame();
+  EXPECT_EQ(requests.view_pixels[2].x, before);
+  double_click(center_of("view1"));
+  EXPECT_EQ(state->views.enlarged, 1);
+}
+
+TEST_F(Hostile, NoVolume) {
+  inputs.volume = nullptr;
+  inputs.table = nullptr;
+  inputs.table_texture = 0;
+  frames(3);
+  drag(place_of(2), {place_of(2).x + 20, place_of(2).y});
+  EXPECT_GT(tf().points[2].value, 50);
+  const ImVec2 middle = center_of("view0");
+  drag(middle, {middle.x + 50, middle.y});
+  EXPECT_FALSE(document.preset.camera);
+}
+
+TEST_F(Hostile, NoPoints) {
+  tf().points.clear();
+  frames(3);
+  EXPECT_EQ(visible(), axis_range(tf(), &volume));
+  key_of(ImGuiKey_Delete);
+  ctrl('A');
+  double_click(place_of(30, 0.5));
+  EXPECT_EQ(tf().points.size(), 1U);
+}
+
+TEST_F(Hostile, StatisticsThatAreNoNumbers) {
+  volume.statistics.range = {std::nan(""), std::nan("")};
+  inputs.table = nullptr;
+  ImGui::NewFrame();
+  StudioInputs strange = inputs;
+  strange.camera.eye = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+  studio_frame(document, *state, strange);
+  ImGui::Render();
+  EXPECT_TRUE(std::isfinite(axis_range(tf(), &volume).width()));
+}
+
+TEST_F(Hostile, AConstantVolume) {
+  volume.values.assign(volume.values.size(), 7);
+  volume.statistics = compute_statistics(volume.values);
+  tf().points = points_of({{7, 0}, {7, 1}});
+  frames(5);
+  move_to(place_of(7, 0.5));
+  for (int i = 0; i < 200; ++i) wheel(5);
+  frames(5);
+  EXPECT_GT(visible().width(), 0);
+  drag(place_of(1), {place_of(1).x + 20, place_of(1).y});
+  EXPECT_GE(tf().points[1].value, tf().points[0].value);
+}
+
+TEST_F(Hostile, AThousandPoints) {
+  tf().points.clear();
+  for (int i = 0; i < 1000; ++i) {
+    ControlPoint point;
+    point.value = i / 10.0;
+    point.opacity = i % 2 == 0 ? 0.1 : 0.9;
+    tf().points.push_back(point);
+  }
+  document.preset.rendering.peak_bins = 32;
+  frames(3);
+  EXPECT_EQ(inputs.peaks.size(), 499U);
+  EXPECT_LT(ImGui::GetDrawData()->TotalVtxCount, 60000);
+  move_to(place_of(50, 0.5));
+  ctrl('A');
+  EXPECT_EQ(state->editor.selection.size(), 1000U);
+  key_of(ImGuiKey_Delete);
+  EXPECT_TRUE(tf().points.empty());
+  frames(2);
+  ctrl('Z');
+  EXPECT_EQ(tf().points.size(), 1000U);
+}
+
+TEST_F(Hostile, WindowsOfAnySize) {
+  for (const ImVec2 size :
+       {ImVec2{0, 0}, {1, 1}, {70, 70}, {300, 100}, {100, 900}, {1000, 700}, {4000, 300}}) {
+    ImGui::GetIO().DisplaySize = size;
+    frames(3);
+    for (const glm::ivec2 pixels : requests.view_pixels) {
+      EXPECT_GE(pixels.x, 0);
+      EXPECT_LE(pixels.x, std::max(int(size.x), 0));
+      EXPECT_LE(pixels.y, std::max(int(size.y), 0));
+    }
+  }
+}
+
+TEST_F(Hostile, PeaksOfADocumentThatIsGone) {
+  state->editor.selection = {3, 4};
+  const std::vector<Peak> stale(inputs.peaks.begin(), inputs.peaks.end());
+  StudioInputs old = inputs;
+  old.peaks = stale;
+  tf().points = points_of({{1, 0.5}});
+  ImGui::NewFrame();
+  studio_frame(document, *state, old);
+  ImGui::Render();
+  EXPECT_TRUE(state->editor.selection.empty());
+}
+
+}  // namespace
+}  // namespace crest::test
