@@ -47,7 +47,7 @@ TEST_F(StackTest, FolderIsSortedAsAPersonCounts) {
 }
 
 TEST_F(StackTest, MultiPageTiffKeepsItsNumbers) {
-  for (const OIIO::TypeDesc type :
+  for (const OIIO::TypeDesc& type :
        {OIIO::TypeUInt16, OIIO::TypeFloat, OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE)}) {
     const Volume volume = load_volume(write_image("pages.tif", type, 1, 5));
     EXPECT_EQ(volume.grid.dims, glm::ivec3(4, 3, 5));
