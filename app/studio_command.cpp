@@ -8,7 +8,7 @@
 #include "app/scene_options.h"
 #include "app/studio.h"
 #include "app/window.h"
-#include "app/window_script.h"
+#include "app/layout_file.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
 #include "presets/preset_file.h"

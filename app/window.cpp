@@ -35,7 +35,9 @@ GLFWwindow* create_window(const std::string& title, int width, int height) {
   return window;
 }
 
-WindowInput& input_of(GLFWwindow* window) { return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window)); }
+WindowInput& input_of(GLFWwindow* window) {
+  return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
+}
 
 void note_input(GLFWwindow* window) { input_of(window).any = true; }
 
@@ -43,9 +45,14 @@ void note_input(GLFWwindow* window) { input_of(window).any = true; }
 void note_all_input(GLFWwindow* window, WindowInput& input) {
   glfwSetWindowUserPointer(window, &input);
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { note_input(w); });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { note_input(w); });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int action, int) {
+    note_input(w);
+    glm::dvec2 place;
+    glfwGetCursorPos(w, &place.x, &place.y);
+    if (action == GLFW_PRESS) input_of(w).pressed_at = place;
+    if (action == GLFW_RELEASE) input_of(w).released = true;
+  });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { note_input(w); });
-  glfwSetKeyCallback(window, [](GLFWwindow* w, int, int, int, int) { note_input(w); });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { note_input(w); });
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { note_input(w); });
   glfwSetWindowRefreshCallback(window, note_input);
@@ -54,6 +61,26 @@ void note_all_input(GLFWwindow* window, WindowInput& input) {
     note_input(w);
     for (int i = 0; i < count; ++i) input_of(w).dropped.emplace_back(paths[i]);
   });
+}
+
+/// Keys are kept until the next frame, instead of going to Dear ImGui at once.
+void queue_keys(GLFWwindow* window) {
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+    note_input(w);
+    input_of(w).keys.push_back({key, scancode, action, mods});
+  });
+}
+
+/// Tells Dear ImGui of the keys: all that went down, up to the first that goes up after it, which waits for
+/// the next frame. So a key that is pressed and released within a slow frame is not lost, nor the Ctrl that
+/// was held with it.
+void tell_keys(GLFWwindow* window, std::deque<KeyEvent>& keys) {
+  for (bool pressed = false; !keys.empty(); keys.pop_front()) {
+    const KeyEvent event = keys.front();
+    if (pressed && event.action == GLFW_RELEASE) break;
+    pressed |= event.action == GLFW_PRESS;
+    ImGui_ImplGlfw_KeyCallback(window, event.key, event.scancode, event.action, event.mods);
+  }
 }
 
 }  // namespace
@@ -66,6 +93,7 @@ Window::Window(const std::string& title, int width, int height)
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // the layout is ours; nothing is left in the folder
   ImGui_ImplGlfw_InitForOpenGL(window_, true);
+  queue_keys(window_);
   ImGui_ImplOpenGL3_Init("#version 450 core");
 }
 
@@ -85,8 +113,13 @@ void Window::poll_events(bool wait, double seconds) {
 }
 
 void Window::begin_frame() {
+  // What a mouse button ends is over before the keys count that came after it
+  if (!std::exchange(input_.released, false)) tell_keys(window_, input_.keys);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  // A press counts where it was, however far the mouse has come since
+  if (const auto place = std::exchange(input_.pressed_at, std::nullopt))
+    ImGui::GetIO().MousePos = ImVec2(float(place->x), float(place->y));
   ImGui::NewFrame();
 }
 
@@ -111,7 +144,7 @@ bool Window::take_close_request() {
 
 std::vector<std::string> Window::take_dropped() { return std::exchange(input_.dropped, {}); }
 
-bool Window::had_input() { return std::exchange(input_.any, false); }
+bool Window::had_input() { return std::exchange(input_.any, !input_.keys.empty()); }
 
 bool Window::is_mouse_down() const {
   for (const int button : {GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_RIGHT, GLFW_MOUSE_BUTTON_MIDDLE})

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <deque>
+#include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,10 +10,18 @@ struct GLFWwindow;
 
 namespace crest {
 
+/// A key that went down or up, as GLFW tells it.
+struct KeyEvent {
+  int key, scancode, action, mods;
+};
+
 /// What came in since it was last asked for.
 struct WindowInput {
   bool any = true;
-  std::vector<std::string> dropped;  ///< files
+  std::vector<std::string> dropped;      ///< files
+  std::deque<KeyEvent> keys;             ///< not yet told to Dear ImGui
+  std::optional<glm::dvec2> pressed_at;  ///< where a mouse button went down
+  bool released = false;                 ///< a mouse button went up
 };
 
 /// The studio's window: GLFW with an OpenGL 4.5 core context, and Dear ImGui in it.

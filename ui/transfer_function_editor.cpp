@@ -310,6 +310,10 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
                              ImGuiButtonFlags_MouseButtonMiddle);
   Plot plot = make_plot(editor, corner, size, visible);
   state.widgets.items["plot"] = {plot.low, plot.high};
+  for (std::size_t i = 0; i < tf.points.size(); ++i) {
+    const ImVec2 at = plot.place(tf.points[i]);
+    state.widgets.items[fmt::format("point/{}", i)] = {at, at};
+  }
   changed |= handle_plot_mouse(tf, editor, plot, whole);
   if (ImGui::IsItemHovered()) state.under_cursor = place_text(tf, plot);
   const bool keys_are_free = !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() &&

@@ -1,6 +1,6 @@
-#include "app/window_script.h"
+#include "app/layout_file.h"
 
-#include <nlohmann/json.hpp>
+#include <fmt/format.h>
 
 #include "presets/atomic_file.h"
 #include "ui/studio_state.h"
@@ -9,12 +9,10 @@ namespace crest {
 
 void LayoutFile::update(const Studio& studio) {
   if (path_.empty()) return;
-  nlohmann::ordered_json json;
-  json["busy"] = studio.is_busy();
-  json["title"] = studio.title();
+  std::string text = fmt::format("title\t{}\nbusy\t{}\n", studio.title(), studio.is_busy() ? 1 : 0);
   for (const auto& [name, rect] : studio.ui_state().widgets.items)
-    json["widgets"][name] = {rect.first.x, rect.first.y, rect.second.x, rect.second.y};
-  std::string text = json.dump(1) + "\n";
+    text += fmt::format("{}\t{:.0f}\t{:.0f}\n", name, 0.5f * (rect.first.x + rect.second.x),
+                        0.5f * (rect.first.y + rect.second.y));
   if (text == last_) return;
   write_file_atomically(path_, text);
   last_ = std::move(text);

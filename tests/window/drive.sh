@@ -1,0 +1,37 @@
+# Shared by the scripts that drive the studio's window with xdotool. Needs: program, layout (a file name).
+
+fail() { echo "FAILED: $*" >&2; exit 1; }
+
+# value_of NAME: what stands behind it in the layout file.
+value_of() { awk -F '\t' -v name="$1" '$1 == name { $1 = ""; print substr($0, 2) }' "$layout" 2>/dev/null; }
+
+# wait_for SECONDS WORDS...: until the command given is true.
+wait_for() {
+  local tries=$(($1 * 20))
+  shift
+  until "$@"; do
+    tries=$((tries - 1))
+    [ $tries -gt 0 ] || fail "waited in vain for: $*"
+    sleep 0.05
+  done
+}
+is_idle() { [ "$(value_of busy)" = 0 ]; }
+title_is() { [[ "$(value_of title)" == $1 ]]; }
+has_widget() { [ -n "$(value_of "$1")" ]; }
+
+# place NAME: "x y" of the widget's middle.
+place() { has_widget "$1" || fail "no widget is called $1"; value_of "$1"; }
+
+# drag "x y" DX DY STEPS: with the left button, in small steps.
+drag() {
+  local x y i
+  read -r x y <<<"$1"
+  xdotool mousemove "$x" "$y"
+  sleep 0.2
+  xdotool mousedown 1
+  for ((i = 1; i <= $4; i++)); do
+    xdotool mousemove $((x + $2 * i / $4)) $((y + $3 * i / $4))
+    sleep 0.03
+  done
+  xdotool mouseup 1
+}

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# smoke.sh PROGRAM PRESET SCREENSHOT: the studio in a real window: open, drag a point, undo, redo, save, quit.
+set -eu
+program=$1 preset=$2 screenshot=$3
+if [ -z "${CREST_IN_XVFB:-}" ]; then
+  CREST_IN_XVFB=1 exec xvfb-run -a -s "-screen 0 1720x1160x24" "$0" "$@"
+fi
+source "$(dirname "$0")/drive.sh"
+work=$(mktemp -d)
+trap 'kill %1 2>/dev/null || true; rm -rf "$work"' EXIT
+layout=$work/layout
+cp "$preset" "$work/preset.json"
+export XDG_CONFIG_HOME=$work/config
+
+timeout 100 "$program" "builtin:plume?n=64" --preset "$work/preset.json" --log-layout "$layout" &
+wait_for 30 has_widget view0
+wait_for 60 is_idle
+title_is 'preset.json - *' || fail "title at the start: $(value_of title)"
+
+drag "$(place point/2)" 20 -80 10
+wait_for 10 title_is '\* preset.json*'
+xdotool key ctrl+z
+wait_for 10 title_is 'preset.json*'
+xdotool key ctrl+shift+z
+wait_for 10 title_is '\* preset.json*'
+xdotool key ctrl+s
+wait_for 10 title_is 'preset.json*'
+changed=$(diff "$preset" "$work/preset.json" | grep -c '^>' || true)
+[ "$changed" -eq 1 ] || fail "the drag of one point changed $changed lines of the preset"
+
+xdotool mousemove 860 20
+wait_for 60 is_idle
+import -window root "$screenshot"
+xdotool key ctrl+q
+wait %1 || fail "exit code $?"
+echo "PASSED"
