@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/compare.h"
 #include "app/labels.h"
 #include "app/offscreen_context.h"
 #include "app/picture.h"
@@ -14,11 +15,6 @@
 
 namespace crest {
 namespace {
-
-struct CompareOptions {
-  SceneOptions scene;
-  PictureOptions picture;
-};
 
 /// The pictures in a grid of two columns, each with its label, over the background.
 Image grid_of(const std::vector<MeasuredPicture>& pictures, const std::vector<std::string>& labels,
@@ -38,6 +34,8 @@ Image grid_of(const std::vector<MeasuredPicture>& pictures, const std::vector<st
   return grid;
 }
 
+}  // namespace
+
 void compare_modes(const CompareOptions& options) {
   const glm::ivec2 size = options.picture.pixels();
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
@@ -47,7 +45,7 @@ void compare_modes(const CompareOptions& options) {
   for (const Mode mode : view_modes) {
     scenes.push_back(make_scene(volume, preset));
     scenes.back().rendering.mode = mode;
-    labels.push_back(name_of(mode));
+    labels.emplace_back(name_of(mode));
   }
 
   const OffscreenContext context(options.picture.device);
@@ -64,8 +62,6 @@ void compare_modes(const CompareOptions& options) {
     fmt::print("{}\n", json.dump(2));
   }
 }
-
-}  // namespace
 
 void add_compare_command(CLI::App& app, Action& chosen) {
   auto options = std::make_shared<CompareOptions>();

@@ -8,7 +8,7 @@
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
 #include "render/volume/load.h"
-#include "ui/view_text.h"
+#include "ui/mode_text.h"
 
 namespace crest {
 namespace {

@@ -20,9 +20,9 @@ struct SceneOptions {
 
   void add_to(CLI::App& app);
 
-  /// The preset with all that was said on the command line; without --preset, one with the default TF.
-  /// `volume` is for --fit-range. Throws Error.
-  Preset read_preset(const Volume& volume) const;
+  /// The preset with all that was said on the command line for this volume; without --preset, one with the
+  /// default TF. Throws Error.
+  Preset read_preset(const Volume& loaded) const;
 };
 
 /// The options of a picture.

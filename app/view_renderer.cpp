@@ -39,7 +39,8 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
     view.wanted = requests[i];
     ++view.wanted_version;
     view.is_counted = false;
-    const bool keep = view.pass && view.pass->coarseness > 1 && view.pass->request.size == view.wanted.size;
+    const bool keep = view.pass && view.pass->coarseness > 1 && view.pass->request.size == view.wanted.size &&
+                      view.pass->request.scene.volume == view.wanted.scene.volume;
     if (!keep) view.pass.reset();
   }
   const auto begin = std::chrono::steady_clock::now();
@@ -158,6 +159,18 @@ ViewPicture ViewRenderer::picture(int index) const {
     picture.dvr_samples_per_ray = view.counts.dvr_samples / view.counts.pixels;
   }
   return picture;
+}
+
+std::array<std::uint64_t, view_count> ViewRenderer::wanted_versions() const {
+  std::array<std::uint64_t, view_count> versions;
+  std::ranges::transform(views_, versions.begin(), &View::wanted_version);
+  return versions;
+}
+
+std::array<std::uint64_t, view_count> ViewRenderer::shown_versions() const {
+  std::array<std::uint64_t, view_count> versions;
+  std::ranges::transform(views_, versions.begin(), &View::shown_version);
+  return versions;
 }
 
 void ViewRenderer::invalidate() {

@@ -32,10 +32,9 @@ class ViewRenderer {
   bool is_busy() const;
 
   ViewPicture picture(int view) const;
-  /// The request that a view's present picture shows at least coarsely; its number counts up with each
-  /// change.
-  std::uint64_t shown_version(int view) const { return views_[std::size_t(view)].shown_version; }
-  std::uint64_t wanted_version(int view) const { return views_[std::size_t(view)].wanted_version; }
+  /// Each view's requests are numbered: the one it is to show, and the one it shows at least coarsely.
+  std::array<std::uint64_t, view_count> wanted_versions() const;
+  std::array<std::uint64_t, view_count> shown_versions() const;
 
   Raycaster& raycaster() { return raycaster_; }
   /// Draws everything again (after the shaders changed).

@@ -18,10 +18,11 @@ struct Exporter {
   std::string_view name;       ///< as the command line knows it
   std::string_view extension;  ///< with the dot
   std::string_view summary;    ///< one line
-  /// The file's text. `tf` is as the preset has it, or resolved against a volume.
+  /// The file's text. `tf` is as the preset has it, or resolved against a volume. Throws Error for options
+  /// that are out of bounds.
   std::string (*write)(std::string_view preset_name, const TransferFunction& tf,
                        const ExportOptions& options);
-  /// What the format cannot hold of this TF, in one line each ("" for nothing).
+  /// What the format cannot hold of this TF: lines that end with a newline, "" for nothing.
   std::string (*losses)(const TransferFunction& tf, const ExportOptions& options);
 };
 

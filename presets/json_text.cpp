@@ -15,41 +15,39 @@ namespace {
 constexpr std::size_t most_levels = 64;
 constexpr std::size_t most_keys = 1000;
 
-/// Follows the parser through the text: knows the path, and refuses what would harm those who read it.
-class Guard {
+std::string without_exception_name(std::string_view what) {
+  const std::size_t end = what.find("] ");
+  return std::string(end == std::string_view::npos ? what : what.substr(end + 2));
+}
+
+/// Reads a text without keeping it: knows the path, and refuses what would harm those who read it. (A filter
+/// on the parser proper would do the same, but takes time quadratic in an array's length.)
+class Guard final : public nlohmann::json_sax<Json> {
  public:
-  bool operator()(int, nlohmann::detail::parse_event_t event, Json& value) {
-    using Event = nlohmann::detail::parse_event_t;
-    switch (event) {
-      case Event::key:
-        add_key(value.get_ref<const std::string&>());
-        break;
-      case Event::object_start:
-        open(false);
-        break;
-      case Event::array_start:
-        open(true);
-        break;
-      case Event::object_end:
-      case Event::array_end:
-        levels.pop_back();
-        [[fallthrough]];
-      case Event::value:
-        if (!levels.empty()) ++levels.back().index;
-        break;
-    }
+  bool null() override { return value(); }
+  bool boolean(bool) override { return value(); }
+  bool number_integer(Json::number_integer_t) override { return value(); }
+  bool number_unsigned(Json::number_unsigned_t) override { return value(); }
+  bool number_float(Json::number_float_t, const std::string&) override { return value(); }
+  bool string(std::string&) override { return value(); }
+  bool binary(Json::binary_t&) override { return value(); }
+  bool start_object(std::size_t) override { return open(false); }
+  bool start_array(std::size_t) override { return open(true); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(std::string& key) override {
+    Level& level = levels.back();
+    level.key = key;
+    if (!level.keys.insert(key).second) throw Error(path() + ": appears twice");
+    if (level.keys.size() > most_keys)
+      throw Error(fmt::format("{}: one object has more than {} keys", path(), most_keys));
     return true;
   }
 
-  std::string path() const {
-    std::string text;
-    for (const Level& level : levels) {
-      if (level.is_array)
-        text += fmt::format("[{}]", level.index);
-      else
-        text = join_path(text, level.key);
-    }
-    return text;
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) override {
+    const bool number_overflow = dynamic_cast<const Json::out_of_range*>(&error) != nullptr;
+    throw Error((number_overflow ? path() + ": " : "") + without_exception_name(error.what()));
   }
 
  private:
@@ -60,27 +58,31 @@ class Guard {
     std::set<std::string> keys = {};
   };
 
-  void open(bool is_array) {
+  bool open(bool is_array) {
     if (levels.size() == most_levels)
       throw Error(fmt::format("nested more than {} levels deep", most_levels));
     levels.push_back({is_array});
+    return true;
+  }
+  bool close() {
+    levels.pop_back();
+    return value();
+  }
+  /// A value has ended.
+  bool value() {
+    if (!levels.empty()) ++levels.back().index;
+    return true;
   }
 
-  void add_key(const std::string& key) {
-    Level& level = levels.back();
-    level.key = key;
-    if (!level.keys.insert(key).second) throw Error(fmt::format("{}: appears twice", path()));
-    if (level.keys.size() > most_keys)
-      throw Error(fmt::format("{}: one object has more than {} keys", path(), most_keys));
+  std::string path() const {
+    std::string text;
+    for (const Level& level : levels)
+      text = level.is_array ? fmt::format("{}[{}]", text, level.index) : join_path(text, level.key);
+    return text;
   }
 
   std::vector<Level> levels;
 };
-
-std::string without_exception_name(std::string_view what) {
-  const std::size_t end = what.find("] ");
-  return std::string(end == std::string_view::npos ? what : what.substr(end + 2));
-}
 
 std::string scalar_text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -131,13 +133,8 @@ void print_spread(const Json& json, std::size_t indent, std::string& out) {
 
 Json parse_json(std::string_view text) {
   Guard guard;
-  try {
-    return Json::parse(text, std::ref(guard));
-  } catch (const Json::parse_error& error) {
-    throw Error(without_exception_name(error.what()));
-  } catch (const Json::out_of_range& error) {
-    throw Error(fmt::format("{}: {}", guard.path(), without_exception_name(error.what())));
-  }
+  Json::sax_parse(text, &guard);
+  return Json::parse(text);
 }
 
 std::string print_json(const Json& json) {

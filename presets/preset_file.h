@@ -11,10 +11,13 @@
 namespace crest {
 
 /// Reads a preset's JSON text (format "crest-preset", version 1). `source` names the text in errors.
-/// Throws Error with the JSON path of the fault: "transfer_function.points[3].opacity: 1.2 is not in [0, 1]".
+/// Throws Error with the JSON path of the fault: "FILE: transfer_function.points[3].opacity: 1.2 is not in
+/// [0, 1]". Only transfer_function.points is required, and value and opacity in each point. A text larger
+/// than 16 MB, nested deeper than 64 levels, or with a key twice in one object is refused.
 Preset parse_preset(std::string_view text, std::string_view source);
 
-/// The preset as JSON text: numbers round-trip exactly, unknown keys are written back.
+/// The preset as JSON text: numbers round-trip exactly, unknown keys are written back. Optional fields are
+/// written where they differ from their default (fields.h says which are always), a point to a line.
 std::string write_preset(const Preset& preset);
 
 /// Reads a file, or, when `name_or_path` has no such file, the preset of that name in the built-in library.
@@ -24,8 +27,9 @@ Preset load_preset(const std::string& name_or_path);
 void save_preset(const std::filesystem::path& path, const Preset& preset);
 
 /// The preset with one field set by its JSON path: "rendering.step=0.5",
-/// "transfer_function.points[1].value=3". The value is JSON; what is not JSON counts as a string. Throws
-/// Error as parse_preset.
+/// "transfer_function.points[1].value=3". The value is JSON; what is not JSON counts as a string;
+/// "camera=null" takes the camera away. Throws Error as parse_preset, and for a field that there is not, with
+/// those that there are.
 Preset set_field(const Preset& preset, std::string_view path_and_value);
 
 struct LibraryPreset {

@@ -13,8 +13,22 @@
 namespace crest {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& what) {
-  throw Error(path.empty() ? what : path + ": " + what);
+/// Where a value is in the preset: a chain along the calls, made into text only for an error.
+struct Path {
+  const Path* parent = nullptr;
+  std::string_view key = {};  ///< a field's name; without one, an element
+  std::size_t index = 0;
+
+  std::string text() const {
+    if (!parent) return std::string(key);
+    const std::string before = parent->text();
+    return key.empty() ? fmt::format("{}[{}]", before, index) : join_path(before, key);
+  }
+};
+
+[[noreturn]] void fail(const Path& path, const std::string& what) {
+  const std::string text = path.text();
+  throw Error(text.empty() ? what : text + ": " + what);
 }
 
 /// "[0, 1]", "(0, 180)", or in words where there is one bound.
@@ -27,7 +41,7 @@ std::string complaint(const FieldRule& rule) {
 
 // read(json, path, value, rule) reads one field of each type.
 
-void read(const Json& json, const std::string& path, double& value, const FieldRule& rule) {
+void read(const Json& json, const Path& path, double& value, const FieldRule& rule) {
   if (!json.is_number()) fail(path, fmt::format("{} is not a number", summary_of(json)));
   value = json.get<double>();
   if (std::abs(value) > any_value.max)
@@ -37,26 +51,26 @@ void read(const Json& json, const std::string& path, double& value, const FieldR
   if (!inside) fail(path, fmt::format("{} {}", summary_of(json), complaint(rule)));
 }
 
-void read(const Json& json, const std::string& path, int& value, const FieldRule& rule) {
+void read(const Json& json, const Path& path, int& value, const FieldRule& rule) {
   double number = 0;
   read(json, path, number, rule);
   if (number != std::trunc(number)) fail(path, fmt::format("{} is not a whole number", summary_of(json)));
   value = int(number);
 }
 
-void read(const Json& json, const std::string& path, std::string& text, const FieldRule&) {
+void read(const Json& json, const Path& path, std::string& text, const FieldRule&) {
   if (!json.is_string()) fail(path, fmt::format("{} is not a text in quotes", summary_of(json)));
   text = json.get<std::string>();
 }
 
-void read(const Json& json, const std::string& path, glm::dvec3& vector, const FieldRule& rule) {
+void read(const Json& json, const Path& path, glm::dvec3& vector, const FieldRule& rule) {
   if (!json.is_array() || json.size() != 3)
     fail(path, fmt::format("{} is not an array of 3 numbers", summary_of(json)));
-  for (int i = 0; i < 3; ++i) read(json[std::size_t(i)], fmt::format("{}[{}]", path, i), vector[i], rule);
+  for (int i = 0; i < 3; ++i) read(json[std::size_t(i)], Path{&path, {}, std::size_t(i)}, vector[i], rule);
 }
 
 template <NamedEnum T>
-void read(const Json& json, const std::string& path, T& value, const FieldRule&) {
+void read(const Json& json, const Path& path, T& value, const FieldRule&) {
   const std::optional<T> named =
       json.is_string() ? value_named<T>(json.get_ref<const std::string&>()) : std::nullopt;
   if (!named) fail(path, fmt::format("{} is not one of: {}", summary_of(json), name_list<T>()));
@@ -64,26 +78,25 @@ void read(const Json& json, const std::string& path, T& value, const FieldRule&)
 }
 
 template <Fielded T>
-Json read(const Json& json, const std::string& path, T& values, const FieldRule&);
+Json read(const Json& json, const Path& path, T& values, const FieldRule&);
 
 template <class T>
-void read(const Json& json, const std::string& path, std::optional<T>& value, const FieldRule& rule) {
+void read(const Json& json, const Path& path, std::optional<T>& value, const FieldRule& rule) {
   value.reset();
   if (!json.is_null()) read(json, path, value.emplace(), rule);
 }
 
-void read(const Json& json, const std::string& path, std::vector<ControlPoint>& points,
-          const FieldRule& rule) {
+void read(const Json& json, const Path& path, std::vector<ControlPoint>& points, const FieldRule& rule) {
   if (!json.is_array()) fail(path, fmt::format("{} is not an array of points", summary_of(json)));
   if (json.empty()) fail(path, "holds no point: a transfer function needs at least one");
   points.clear();
   points.reserve(json.size());
   for (const Json& element : json) {
-    const std::string point_path = fmt::format("{}[{}]", path, points.size());
+    const Path point_path{&path, {}, points.size()};
     ControlPoint point;
     read(element, point_path, point, rule);
     if (!points.empty() && point.value < points.back().value)
-      fail(point_path + ".value",
+      fail(Path{&point_path, "value"},
            fmt::format("{} is less than the value before it, {}; values must not decrease", point.value,
                        points.back().value));
     points.push_back(std::move(point));
@@ -92,12 +105,12 @@ void read(const Json& json, const std::string& path, std::vector<ControlPoint>& 
 
 /// Returns the keys that `values` cannot keep itself.
 template <Fielded T>
-Json read(const Json& json, const std::string& path, T& values, const FieldRule&) {
+Json read(const Json& json, const Path& path, T& values, const FieldRule&) {
   if (!json.is_object()) fail(path, fmt::format("{} is not an object", summary_of(json)));
   std::set<std::string_view> known;
   Json unknown = Json::object();
   visit_fields(values, [&](const char* name, auto& field, const FieldRule& rule) {
-    const std::string field_path = join_path(path, name);
+    const Path field_path{&path, name};
     const auto found = json.find(name);
     if (found == json.end()) {
       if (rule.required) fail(field_path, "is missing");
@@ -123,16 +136,16 @@ Json read(const Json& json, const std::string& path, T& values, const FieldRule&
 }  // namespace
 
 Preset preset_from_json(Json json) {
-  if (!json.is_object()) fail("", fmt::format("{} is not an object", summary_of(json)));
+  if (!json.is_object()) fail(Path{}, fmt::format("{} is not an object", summary_of(json)));
   if (const auto format = json.find("format"); format != json.end() && *format != preset_format)
-    fail("format", fmt::format("{} is not \"{}\"", summary_of(*format), preset_format));
+    fail(Path{nullptr, "format"}, fmt::format("{} is not \"{}\"", summary_of(*format), preset_format));
   if (const auto version = json.find("version"); version != json.end() && *version != preset_version)
-    fail("version", fmt::format("{} is not {}, the version that this program reads", summary_of(*version),
-                                preset_version));
+    fail(Path{nullptr, "version"}, fmt::format("{} is not {}, the version that this program reads",
+                                               summary_of(*version), preset_version));
   json.erase("format");
   json.erase("version");
   Preset preset;
-  read(json, "", preset, any_value);
+  read(json, Path{}, preset, any_value);
   return preset;
 }
 

@@ -53,16 +53,25 @@ void add_unknown(Json& object, const Json& unknown) {
   }
 }
 
+/// The fields of T that need not be written, with their defaults.
+template <Fielded T>
+Json defaults_of() {
+  Json defaults = Json::object();
+  const T plain{};
+  visit_fields(plain, [&](const char* name, const auto& field, const FieldRule& rule) {
+    if (!rule.always_written) defaults[name] = to_json(field, Fields::telling);
+  });
+  return defaults;
+}
+
 template <Fielded T>
 Json to_json(const T& values, Fields which) {
-  const T defaults{};
-  Json plain = Json::object(), object = Json::object();
-  visit_fields(defaults, [&](const char* name, const auto& field, const FieldRule& rule) {
-    if (which == Fields::telling && !rule.always_written) plain[name] = to_json(field, Fields::telling);
-  });
+  static const Json defaults = defaults_of<T>();
+  Json object = Json::object();
   visit_fields(values, [&](const char* name, const auto& field, const FieldRule&) {
     Json json = to_json(field, which);
-    if (!plain.contains(name) || json != plain[name]) object[name] = std::move(json);
+    const auto plain = defaults.find(name);
+    if (which == Fields::all || plain == defaults.end() || json != *plain) object[name] = std::move(json);
   });
   if constexpr (KeepsUnknown<T>) {
     if (!values.unknown.empty()) add_unknown(object, Json::parse(values.unknown));

@@ -15,16 +15,9 @@ ValueRange bin_range(const PeakTable& table, int bin) {
   return {table.range.min + bin * width, table.range.min + (bin + 1) * width};
 }
 
-std::vector<const Peak*> shown_of(std::span<const Peak> peaks) {
-  std::vector<const Peak*> shown;
-  for (const Peak& peak : peaks)
-    if (peak.shown) shown.push_back(&peak);
-  return shown;
-}
-
 std::string range_text(ValueRange range) { return fmt::format("{:.6g} .. {:.6g}", range.min, range.max); }
 
-void cell_tooltip(const PeakTable& table, std::span<const Peak> peaks, int entry, int exit) {
+void cell_tooltip(const PeakTable& table, std::span<const Peak> surfaces, int entry, int exit) {
   ImGui::BeginTooltip();
   ImGui::TextDisabled("entry");
   ImGui::SameLine(scaled(48));
@@ -35,11 +28,10 @@ void cell_tooltip(const PeakTable& table, std::span<const Peak> peaks, int entry
   ImGui::Separator();
   const int count = table.cell(entry, exit).count;
   if (count == 0) ImGui::TextDisabled("no peak between them");
-  const std::vector<const Peak*> shown = shown_of(peaks);
   int order = 0;
   for (const int index : peaks_met(table, entry, exit)) {
-    if (index < 0 || std::size_t(index) >= shown.size()) continue;
-    const Peak& peak = *shown[std::size_t(index)];
+    if (index < 0 || std::size_t(index) >= surfaces.size()) continue;
+    const Peak& peak = surfaces[std::size_t(index)];
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float side = ImGui::GetFontSize();
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side}, packed(peak.color));
@@ -67,7 +59,7 @@ void hover_cell(StudioState& state, const StudioInputs& inputs, ImVec2 low, floa
   const auto bin = [&](float share) { return std::clamp(int(share * float(table.bins)), 0, table.bins - 1); };
   const int entry = bin((mouse.x - low.x) / side), exit = bin(1 - (mouse.y - low.y) / side);
   mark_cell(low, side, table, entry, exit);
-  cell_tooltip(table, inputs.peaks, entry, exit);
+  cell_tooltip(table, inputs.surfaces, entry, exit);
   state.under_cursor = fmt::format("entry {}   exit {}", range_text(bin_range(table, entry)),
                                    range_text(bin_range(table, exit)));
 }

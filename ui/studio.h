@@ -36,6 +36,7 @@ struct StudioInputs {
   const Volume* volume = nullptr;    ///< null while none is open
   TransferFunction resolved;         ///< the document's TF in the volume's units
   std::span<const Peak> peaks;       ///< of `resolved`
+  std::span<const Peak> surfaces;    ///< those of the table
   const PeakTable* table = nullptr;  ///< of the shown peaks; null while there is no volume
   std::uintptr_t table_texture = 0;  ///< table_picture() of it, as an ImTextureID
   std::array<ViewPicture, view_count> views;

@@ -24,6 +24,7 @@ struct PeakTable {
   ValueRange range;         ///< of the field; values beyond count to the end bins
   std::vector<Cell> cells;  ///< bins*bins, entry bin fastest
 
+  bool operator==(const PeakTable&) const = default;
   const Cell& cell(int entry_bin, int exit_bin) const {
     return cells[std::size_t(exit_bin) * std::size_t(bins) + std::size_t(entry_bin)];
   }

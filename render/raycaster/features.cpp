@@ -5,13 +5,6 @@
 #include <algorithm>
 
 namespace crest {
-namespace {
-
-/// So few peaks are tested one by one in less time than a look into the table takes (docs/measured.md).
-constexpr int most_peaks_without_table = 2;
-
-}  // namespace
-
 Features needed_features(const Volume& volume, const Classification& classification,
                          const Rendering& rendering, bool statistics) {
   const bool wants_peaks = rendering.mode != Mode::dvr_only;
@@ -29,12 +22,7 @@ Features needed_features(const Volume& volume, const Classification& classificat
   features.early_termination = rendering.early_termination > 0;
   features.empty_cells = volume.has_empty_cells();
   features.statistics = statistics;
-  if (features.peaks) {
-    const int count = int(classification.surfaces.size());
-    features.peak_table = count > most_peaks_without_table;
-    features.peak_count = features.peak_table ? 0 : count;
-    features.max_peaks = std::min(rendering.max_peaks, count);
-  }
+  features.peak_table = features.peaks && classification.surfaces.size() > most_peaks_without_table;
   return features;
 }
 
@@ -50,8 +38,6 @@ std::vector<std::string> shader_defines(const Features& f) {
   add("EARLY_TERMINATION", f.early_termination);
   add("EMPTY_CELLS", f.empty_cells);
   add("STATISTICS", f.statistics);
-  add("PEAK_COUNT", f.peak_count);
-  add("MAX_PEAKS", f.max_peaks);
   return defines;
 }
 
@@ -88,7 +74,9 @@ std::vector<std::pair<std::string, std::string>> left_out(const Features& f, con
   add(f.dvr, "dvr", "the mode is PEAK_ONLY");
   add(f.peaks, "peaks", no_peaks);
   add(f.peak_table, "peak_table",
-      f.peaks ? fmt::format("{} surface(s) are tested one by one", f.peak_count) : no_peaks);
+      f.peaks
+          ? fmt::format("{} surfaces are few enough to be tested all at once", classification.surfaces.size())
+          : no_peaks);
   add(f.split, "split",
       !f.peaks ? no_peaks
       : !f.dvr ? "the mode is PEAK_ONLY"

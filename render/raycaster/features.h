@@ -10,11 +10,14 @@
 
 namespace crest {
 
+/// So many peaks are tested all at once, which takes less time than a look into the table.
+inline constexpr int most_peaks_without_table = 4;
+
 /// What a scene needs of the ray caster's shader: everything else is compiled out of it.
 struct Features {
   bool dvr = false;         ///< DVR samples
   bool peaks = false;       ///< crossings of the peaks
-  bool peak_table = false;  ///< candidates from the table, not from the whole list of peaks
+  bool peak_table = false;  ///< candidates from the table: more peaks than are tested all at once
   bool split = false;       ///< segments divided at their crossings
   bool exclusive = false;   ///< in the paper's form: no DVR sample in a step with a crossing
   bool base_tf = false;     ///< DVR takes the TF without its spikes
@@ -22,8 +25,7 @@ struct Features {
   bool early_termination = false;
   bool empty_cells = false;  ///< the volume has voxels without a value
   bool statistics = false;
-  int peak_count = 0;  ///< in the list, when there is no table
-  int max_peaks = 1;   ///< crossings that one step composites
+
   bool operator==(const Features&) const = default;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -19,7 +20,7 @@ namespace {
 /// Some drivers (Mesa's llvmpipe) end all loops of one invocation together after 65,535 rounds, in silence.
 constexpr int most_loop_rounds = 60000;
 
-enum Unit : GLuint { volume_unit, empty_cells_unit, tf_unit, peak_table_unit };
+enum Unit : GLuint { volume_unit, empty_cells_unit, tf_unit, peak_table_unit, peak_runs_unit };
 
 void set(GLuint program, const char* name, float x) {
   glProgramUniform1f(program, glGetUniformLocation(program, name), x);
@@ -44,8 +45,9 @@ int most_intervals(const Scene& scene) {
 
 int intervals_per_pass(const Features& features, const Classification& classification, const Grid& grid) {
   const int walk = features.empty_cells ? 2 * (grid.dims.x + grid.dims.y + grid.dims.z) : 0;
-  const int candidates = features.peak_table ? classification.table.largest_count() : features.peak_count;
-  const int rounds = 1 + candidates + 2 * std::min(candidates, features.max_peaks);  // each root takes two
+  const int candidates =
+      features.peak_table ? classification.table.largest_count() : most_peaks_without_table;
+  const int rounds = features.peaks ? 2 + 3 * candidates : 1;  // a crossing takes one, and two for its root
   return std::max(1, (most_loop_rounds - walk) / rounds);
 }
 
@@ -70,6 +72,14 @@ void set_view(GLuint program, const Scene& scene, const Camera& camera, glm::ive
   set(program, "least_residual", float(scene.rendering.early_termination));
 }
 
+void set_few_peaks(GLuint program, const std::vector<Peak>& peaks) {
+  glm::vec4 values(std::numeric_limits<float>::infinity());
+  for (std::size_t i = 0; i < peaks.size(); ++i) values[int(i)] = float(peaks[i].value);
+  glProgramUniform4f(program, glGetUniformLocation(program, "few_peaks"), values.x, values.y, values.z,
+                     values.w);
+  set(program, "peak_count", int(peaks.size()));
+}
+
 }  // namespace
 
 struct Raycaster::State {
@@ -81,7 +91,7 @@ struct Raycaster::State {
 
   std::optional<Classification> classification;
   std::optional<TfTexture> full_tf, base_tf;
-  gl::TextureHandle peak_table;
+  PeakTableTextures peak_table;
   gl::BufferHandle peaks;
 
   struct Variant {
@@ -155,13 +165,17 @@ void Raycaster::State::bind(const Scene& scene, const Features& features, GLuint
   if (features.peaks) {
     if (!peaks) peaks = upload_peaks(classification->surfaces);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, peaks.id());
+    set(program, "max_peaks", scene.rendering.max_peaks);
+    if (!features.peak_table) set_few_peaks(program, classification->surfaces);
   }
   if (features.peak_table) {
     const PeakTable& table = classification->table;
-    if (!peak_table) peak_table = upload_peak_table(table);
-    glBindTextureUnit(peak_table_unit, peak_table.id());
+    if (!peak_table.runs) peak_table = upload_peak_table(table, classification->surfaces);
+    glBindTextureUnit(peak_table_unit, peak_table.ranges.id());
     set(program, "peak_table", int(peak_table_unit));
-    set(program, "bin_min_scale", glm::vec2(table.range.min, table.bins / table.range.width()));
+    glBindTextureUnit(peak_runs_unit, peak_table.runs.id());
+    set(program, "peak_runs", int(peak_runs_unit));
+    set(program, "bin_min_scale", glm::vec2(table.range.min, table.bin_scale()));
   }
 }
 

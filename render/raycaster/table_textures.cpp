@@ -1,6 +1,24 @@
 #include "render/raycaster/table_textures.h"
 
+#include <glm/vec2.hpp>
+#include <limits>
+
 namespace crest {
+namespace {
+
+gl::TextureHandle upload_square(int side, GLenum internal_format, GLenum format, GLenum type,
+                                const void* data) {
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &id);
+  gl::TextureHandle texture(id);
+  glTextureStorage2D(id, 1, internal_format, side, side);
+  glTextureSubImage2D(id, 0, 0, 0, side, side, format, type, data);
+  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  return texture;
+}
+
+}  // namespace
 
 TfTexture upload_tf(const TransferFunction& tf, ValueRange field, double smallest_spacing) {
   const TfTable table = build_tf_table(tf, field, smallest_spacing, tf_entries);
@@ -16,18 +34,23 @@ TfTexture upload_tf(const TransferFunction& tf, ValueRange field, double smalles
   return result;
 }
 
-gl::TextureHandle upload_peak_table(const PeakTable& table) {
-  std::vector<std::uint32_t> cells;
-  cells.reserve(table.cells.size());
-  for (const auto& cell : table.cells) cells.push_back(cell.first | std::uint32_t(cell.count) << 16);
-  GLuint id = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &id);
-  gl::TextureHandle texture(id);
-  glTextureStorage2D(id, 1, GL_R32UI, table.bins, table.bins);
-  glTextureSubImage2D(id, 0, 0, 0, table.bins, table.bins, GL_RED_INTEGER, GL_UNSIGNED_INT, cells.data());
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  return texture;
+PeakTableTextures upload_peak_table(const PeakTable& table, const std::vector<Peak>& peaks) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  std::vector<std::uint32_t> runs;
+  std::vector<glm::vec2> ranges;
+  runs.reserve(table.cells.size());
+  ranges.reserve(table.cells.size());
+  for (const auto& cell : table.cells) {
+    runs.push_back(cell.first | std::uint32_t(cell.count) << 16);
+    if (cell.count == 0)
+      ranges.emplace_back(infinity, -infinity);
+    else
+      ranges.emplace_back(peaks[cell.first].value, peaks[std::size_t(cell.first + cell.count - 1)].value);
+  }
+  PeakTableTextures textures;
+  textures.ranges = upload_square(table.bins, GL_RG32F, GL_RG, GL_FLOAT, ranges.data());
+  textures.runs = upload_square(table.bins, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, runs.data());
+  return textures;
 }
 
 gl::BufferHandle upload_peaks(const std::vector<Peak>& peaks) {

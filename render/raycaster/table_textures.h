@@ -19,8 +19,13 @@ struct TfTexture {
 /// `tf` is resolved; the texture covers what `field` reaches of it (see build_tf_table).
 TfTexture upload_tf(const TransferFunction& tf, ValueRange field, double smallest_spacing);
 
-/// R32UI, entry bin across, exit bin up: the first candidate in the lower 16 bits, their count in the upper.
-gl::TextureHandle upload_peak_table(const PeakTable& table);
+/// The peak table on the GPU, entry bin across, exit bin up.
+struct PeakTableTextures {
+  gl::TextureHandle
+      ranges;  ///< RG32F: the least and the greatest isovalue of a cell; (inf, -inf) where there is none
+  gl::TextureHandle runs;  ///< R32UI: the first candidate in the lower 16 bits, their count in the upper
+};
+PeakTableTextures upload_peak_table(const PeakTable& table, const std::vector<Peak>& peaks);
 
 /// The peaks in the std430 layout of shaders/peaks.glsl. At least one.
 gl::BufferHandle upload_peaks(const std::vector<Peak>& peaks);

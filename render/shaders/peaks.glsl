@@ -13,12 +13,43 @@ struct Knot {
   float t, value;
 };
 
+uniform int max_peaks;  // crossings that one step composites
+
 #if PEAK_TABLE
-uniform usampler2D peak_table;  // entry bin across, exit bin up: first peak | count << 16
+// The table of entry and exit values, entry bin across and exit bin up: the least and the greatest isovalue that a
+// segment may cross (an empty range is the flag), and the run of peaks that they bound: first | count << 16.
+uniform sampler2D peak_table;
+uniform usampler2D peak_runs;
 uniform vec2 bin_min_scale;     // the bin is (value - x) * y, rounded down
 
 int bin_of(float value) {
   return clamp(int((value - bin_min_scale.x) * bin_min_scale.y), 0, textureSize(peak_table, 0).x - 1);
+}
+
+bool may_cross(float f0, float f1) {
+  vec2 range = texelFetch(peak_table, ivec2(bin_of(f0), bin_of(f1)), 0).rg;
+  return range.x <= max(f0, f1) && range.y >= min(f0, f1);
+}
+
+void find_candidates(float f0, float f1, out uint first, out uint count) {
+  uint run = texelFetch(peak_runs, ivec2(bin_of(f0), bin_of(f1)), 0).r;
+  first = run & 0xffffu;
+  count = run >> 16;
+}
+#else
+// So few that all of them are tested: their values, and beyond them infinity.
+uniform vec4 few_peaks;
+uniform int peak_count;
+
+bool may_cross(float f0, float f1) {
+  bvec4 above_least = greaterThanEqual(few_peaks, vec4(min(f0, f1)));
+  bvec4 below_most = lessThanEqual(few_peaks, vec4(max(f0, f1)));
+  return any(bvec4(ivec4(above_least) & ivec4(below_most)));
+}
+
+void find_candidates(float f0, float f1, out uint first, out uint count) {
+  first = 0u;
+  count = uint(peak_count);
 }
 #endif
 

@@ -52,47 +52,32 @@ std::optional<ScalarType> nifti_type(std::int16_t code) {
   }
 }
 
-/// Where the fields of the two versions are (nifti1.h, nifti2.h).
-struct NiftiLayout {
-  std::int32_t header_size;
-  std::size_t datatype, vox_offset, slope, intercept;
-};
-constexpr NiftiLayout nifti_1{348, 70, 108, 112, 116}, nifti_2{540, 12, 168, 176, 184};
-
 }  // namespace
 
 FileHeader read_nifti_header(const fs::path& path) {
+  constexpr std::size_t header_size = 348, datatype = 70, vox_offset = 108, slope = 112, intercept = 116;
+  constexpr std::int32_t second_version = 540;
   const std::string name = path.string();
-  const std::string magic = read_head(path, 2);
-  const bool compressed = magic == "\x1f\x8b";
-  const std::string head = read_head(path, std::size_t(nifti_2.header_size), compressed);
-  for (const NiftiLayout& layout : {nifti_1, nifti_2}) {
-    for (const bool swapped : {false, true}) {
-      if (head.size() < std::size_t(layout.header_size) ||
-          value_at<std::int32_t>(head, 0, swapped) != layout.header_size) {
-        continue;
-      }
-      const bool first = layout.header_size == nifti_1.header_size;
-      const auto real = [&](std::size_t offset) {
-        return first ? double(value_at<float>(head, offset, swapped))
-                     : value_at<double>(head, offset, swapped);
-      };
-      FileHeader header;
-      header.stored_type = nifti_type(value_at<std::int16_t>(head, layout.datatype, swapped));
-      const double offset =
-          first ? real(layout.vox_offset) : double(value_at<std::int64_t>(head, layout.vox_offset, swapped));
-      header.data = {{path}, 0, compressed ? Encoding::deflate : Encoding::raw, 0};
-      if (!(offset >= 0 && offset < 0x1p60))
-        throw Error(fmt::format("{}: vox_offset {} is not in the file", name, offset));
-      header.data.skip = std::max(std::uint64_t(offset), std::uint64_t(layout.header_size) + 4);
-      const double slope = real(layout.slope), intercept = real(layout.intercept);
-      if (slope != 0 && std::isfinite(slope) && (slope != 1 || intercept != 0)) {
-        header.note = fmt::format("values are {} times the stored ones plus {}", slope, intercept);
-      }
-      return header;
+  const bool compressed = read_head(path, 2) == "\x1f\x8b";
+  const std::string head = read_head(path, header_size, compressed);
+  for (const bool swapped : {false, true}) {
+    const auto size = head.size() == header_size ? value_at<std::int32_t>(head, 0, swapped) : 0;
+    if (size == second_version) throw Error(fmt::format("{}: NIfTI-2 is not read, NIfTI-1 is", name));
+    if (size != std::int32_t(header_size)) continue;
+    const double begin = value_at<float>(head, vox_offset, swapped);
+    if (!(begin >= 0 && begin < 0x1p60)) {
+      throw Error(fmt::format("{}: vox_offset {} is not a place in the file", name, begin));
     }
+    FileHeader header;
+    header.data = {{path}, 0, compressed ? Encoding::deflate : Encoding::raw, 0};
+    header.data.skip = std::max(std::uint64_t(begin), std::uint64_t(header_size));
+    header.stored_type = nifti_type(value_at<std::int16_t>(head, datatype, swapped));
+    const LinearMap scaling{value_at<float>(head, slope, swapped), value_at<float>(head, intercept, swapped)};
+    const bool scales = scaling.slope != 0;  // 0 says that there is no scaling at all
+    if (scales && std::isfinite(scaling.slope) && std::isfinite(scaling.intercept)) header.scaling = scaling;
+    return header;
   }
-  throw Error(fmt::format("{}: not a NIfTI file: its header size is neither 348 nor 540", name));
+  throw Error(fmt::format("{}: not a NIfTI file: its header's size is not 348", name));
 }
 
 FileHeader read_mrc_header(const fs::path& path) {
@@ -112,9 +97,9 @@ FileHeader read_mrc_header(const fs::path& path) {
   FileHeader header;
   header.data = {{path}, header_size + std::uint64_t(integer(extended_size)), Encoding::raw, 0};
   // Mode 0 is signed since MRC2014; IMOD says which in a flag of its own.
-  header.bytes_are_signed =
-      integer(mode) == 0 &&
-      (integer(imod_stamp) == imod ? (integer(imod_flags) & 1) != 0 : integer(version) >= 20140);
+  const bool is_signed =
+      integer(imod_stamp) == imod ? (integer(imod_flags) & 1) != 0 : integer(version) >= 20140;
+  if (integer(mode) == 0 && is_signed) header.stored_type = ScalarType::int8;
   return header;
 }
 

@@ -71,7 +71,7 @@ FormulaField plume(const Parameters& q) {
 }
 
 FormulaField vessels(const Parameters& q) {
-  return vessel_field({q.number("radius", 0.07, 0.001, 0.5), q.integer("generations", 6, 1, 10)}, q.seed());
+  return vessel_field({q.number("radius", 0.09, 0.001, 0.5), q.integer("generations", 6, 1, 10)}, q.seed());
 }
 
 FormulaField noise(const Parameters& q) {
@@ -113,7 +113,7 @@ constexpr Entry entries[] = {
      128,
      plume},
     {{"vessels", "a tree of thin bright tubes with an aneurism, in empty space",
-      "n=128 seed=1 radius=0.07 generations=6"},
+      "n=128 seed=1 radius=0.09 generations=6"},
      "n,seed,radius,generations",
      128,
      vessels},

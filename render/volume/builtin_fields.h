@@ -22,7 +22,7 @@ struct PlumeShape {
 FormulaField plume_field(const PlumeShape& shape, std::uint64_t seed);
 
 struct VesselShape {
-  double radius = 0.07;  ///< of the trunk
+  double radius = 0.09;  ///< of the trunk
   int generations = 6;   ///< of branches, the trunk among them
 };
 FormulaField vessel_field(const VesselShape& shape, std::uint64_t seed);

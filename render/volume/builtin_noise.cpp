@@ -11,7 +11,7 @@ namespace crest {
 /// spectrum is exactly within it. Of variance 1.
 FormulaField noise_field(const NoiseBand& band, std::uint64_t seed) {
   using std::numbers::pi;
-  constexpr int count = 48;
+  constexpr int count = 32;
   struct Wave {
     glm::dvec3 k;
     double phase;

@@ -21,8 +21,9 @@ FormulaField plume_field(const PlumeShape& shape, std::uint64_t seed) {
     const T z = p.z + reach * fractal_noise(eddy, 4, seed * 64 + 16);
     const T radial = (x * x + z * z) / (width * width);
     const T wisps = fractal_noise(Point<T>{x * 4.0, p.y * 3.0, z * 4.0}, 3, seed * 64 + 32);
-    const T fall = radial * (1.0 + wisps * 0.8 * turbulence) + height * height * 0.15;
-    return exp(fall * (-decades * 0.25));
+    const T fall = (radial * exp(wisps * turbulence) + height * height * 0.5) * 0.25;
+    return exp(fall / sqrt(sqrt(1.0 + fall * fall * fall * fall)) *
+               -decades);  // levels off after the decades
   });
 }
 

@@ -51,10 +51,11 @@ glm::dvec3 random_direction(Random& random) {
 
 /// A branch that wanders, turns back from the cube's faces, and ends in two thinner ones (Murray's law: the
 /// cubes of the radii add up).
-void grow(Tree& tree, Random& random, glm::dvec3 at, glm::dvec3 direction, double radius, int generations) {
+void grow(Tree& tree, Random& random, glm::dvec3 at, glm::dvec3 direction, double radius, double least_radius,
+          int generations) {
   constexpr int steps = 8;
   constexpr double wander = 0.35, margin = 0.88;
-  const double step = 0.055 + 0.35 * radius, end_radius = radius * 0.86;
+  const double step = 0.055 + 0.35 * radius, end_radius = std::max(radius * 0.86, least_radius);
   for (int i = 0; i < steps; ++i) {
     direction += wander * random_direction(random);
     for (int axis = 0; axis < 3; ++axis) {
@@ -70,8 +71,8 @@ void grow(Tree& tree, Random& random, glm::dvec3 at, glm::dvec3 direction, doubl
   const double share = random.uniform(0.35, 0.65);
   const glm::dvec3 side = glm::normalize(glm::cross(direction, random_direction(random)));
   for (const auto& [part, way] : {std::pair(share, 1.0), std::pair(1 - share, -1.0)}) {
-    grow(tree, random, at, glm::normalize(direction + 0.9 * way * side), end_radius * std::cbrt(part),
-         generations - 1);
+    grow(tree, random, at, glm::normalize(direction + 1.2 * way * side),
+         std::max(end_radius * std::cbrt(part), least_radius), least_radius, generations - 1);
   }
 }
 
@@ -95,7 +96,7 @@ FormulaField vessel_field(const VesselShape& shape, std::uint64_t seed) {
   const auto tree = std::make_shared<Tree>();
   Random random(seed);
   const glm::dvec3 root(random.uniform(-0.3, 0.3), -0.88, random.uniform(-0.3, 0.3));
-  grow(*tree, random, root, {0, 1, 0}, shape.radius, shape.generations);
+  grow(*tree, random, root, {0, 1, 0}, shape.radius, shape.radius / 5, shape.generations);
   const glm::dvec3 bulge = tree->pieces[7].b;  // at the end of the trunk, where it branches
   tree->add({bulge, bulge, 2.2 * shape.radius, 2.2 * shape.radius});
 

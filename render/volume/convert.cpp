@@ -42,14 +42,14 @@ void with_type(ScalarType type, F&& f) {
 }  // namespace
 
 void convert_to_float(std::span<const std::byte> bytes, ScalarType type, std::size_t stride,
-                      std::span<float> out) {
+                      std::span<float> out, LinearMap map) {
   with_type(type, [&](auto zero) {
     using T = decltype(zero);
     tbb::parallel_for(Range(0, out.size(), grain), [&](const Range& part) {
       for (std::size_t i = part.begin(); i != part.end(); ++i) {
         T value;
         std::memcpy(&value, bytes.data() + i * stride * sizeof(T), sizeof(T));
-        out[i] = float(value);
+        out[i] = map == LinearMap() ? float(value) : float(double(value) * map.slope + map.intercept);
       }
     });
   });

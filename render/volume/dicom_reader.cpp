@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <itkGDCMImageIO.h>
-#include <itkGDCMSeriesFileNames.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +9,11 @@
 
 #include "presets/error.h"
 #include "render/volume/convert.h"
+#include "render/volume/dicom_structure.h"
+#include "render/volume/header_text.h"
 #include "render/volume/itk_support.h"
 #include "render/volume/memory.h"
 #include "render/volume/readers.h"
-#include "render/volume/voxel_data.h"
 
 namespace crest {
 namespace {
@@ -21,16 +21,20 @@ namespace {
 namespace fs = std::filesystem;
 using Files = std::vector<std::string>;
 
-bool is_dicom(const fs::path& path) {
-  constexpr std::size_t preamble = 128;
-  return fs::is_regular_file(path) &&
-         read_head(path, preamble + 4).substr(std::min(preamble, fs::file_size(path))) == "DICM";
-}
-
 itk::GDCMImageIO::Pointer open(const std::string& file) {
+  const DicomStructure structure = read_dicom_structure(file);
+  if (!structure.has_image) throw Error(fmt::format("{}: the DICOM file holds no image", file));
   const auto io = itk::GDCMImageIO::New();
   io->SetFileName(file);
   with_itk(file, [&] { io->ReadImageInformation(); });
+  const std::uint64_t value_size = size_of(scalar_type(file, io->GetInternalComponentType()));
+  std::uint64_t promised = value_size * io->GetNumberOfComponents();
+  for (unsigned axis = 0; axis < 3; ++axis)
+    promised *= std::min<std::uint64_t>(io->GetDimensions(axis), 1u << 16);
+  if (structure.pixel_bytes && *structure.pixel_bytes < promised) {
+    throw Error(fmt::format("{}: the header promises {} bytes of pixels, and the file has {}", file, promised,
+                            *structure.pixel_bytes));
+  }
   return io;
 }
 
@@ -38,16 +42,40 @@ glm::dvec3 position_of(const itk::GDCMImageIO& io) {
   return {io.GetOrigin(0), io.GetOrigin(1), io.GetOrigin(2)};
 }
 
+/// One slice of a series: its file, and what it is sorted by.
+struct Slice {
+  double along_normal, number;
+  std::string file;
+  auto operator<=>(const Slice&) const = default;
+};
+
+std::string text_of(itk::GDCMImageIO& io, const std::string& tag) {
+  std::string value;
+  io.GetValueFromTag(tag, value);
+  return std::string(trim(std::string_view(value).substr(0, value.find('\0'))));
+}
+
+std::map<std::string, std::vector<Slice>> find_series(const fs::path& folder) {
+  std::map<std::string, std::vector<Slice>> series;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (!is_dicom(entry.path()) || !read_dicom_structure(entry.path()).has_image) continue;
+    const std::string file = entry.path().string();
+    const auto io = open(file);
+    const auto axis = [&](unsigned i) {
+      const std::vector<double> d = io->GetDirection(i);
+      return glm::dvec3(d[0], d[1], d[2]);
+    };
+    const double along_normal = glm::dot(position_of(*io), glm::cross(axis(0), axis(1)));
+    const double number = to_number(text_of(*io, "0020|0013")).value_or(0);
+    series[text_of(*io, "0020|000e")].push_back({along_normal, number, file});
+  }
+  return series;
+}
+
 /// The files of the series that the query names, or of the one with the most, in the order of their
 /// positions.
 Files series_files(const Request& request, std::string& note) {
-  std::map<std::string, Files> all;
-  with_itk(request.name(), [&] {
-    const auto names = itk::GDCMSeriesFileNames::New();
-    names->SetUseSeriesDetails(true);
-    names->SetDirectory(request.name());
-    for (const std::string& series : names->GetSeriesUIDs()) all[series] = names->GetFileNames(series);
-  });
+  auto all = find_series(request.path);
   if (all.empty()) throw Error(fmt::format("{}: its DICOM files hold no images", request.name()));
   auto chosen = std::ranges::max_element(all, {}, [](const auto& entry) { return entry.second.size(); });
   if (const auto asked = request.query.find("series"); asked != request.query.end()) {
@@ -58,7 +86,10 @@ Files series_files(const Request& request, std::string& note) {
     }
   }
   if (all.size() > 1) note = fmt::format("series {}, one of {} in the folder", chosen->first, all.size());
-  return chosen->second;
+  std::ranges::sort(chosen->second);
+  Files files;
+  for (const Slice& slice : chosen->second) files.push_back(slice.file);
+  return files;
 }
 
 /// Along the third axis the positions of the slices tell the spacing, not the slices' thickness.
@@ -146,8 +177,6 @@ bool has_dicom(const fs::path& folder) {
 
 Volume read_dicom_file(const Request& request) {
   require_known_keys(request.name(), request.query, "component");
-  if (!is_dicom(request.path))
-    throw Error(fmt::format("{}: not a DICOM file: it has no DICM at byte 128", request.name()));
   return read_files(request, {request.name()}, "");
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "render/volume/convert.h"
 #include "render/volume/voxel_data.h"
 
 namespace crest {
@@ -12,9 +13,8 @@ namespace crest {
 /// trusts headers. Sizes, types and geometry are ITK's to tell.
 struct FileHeader {
   VoxelData data;
-  std::optional<ScalarType> stored_type;  ///< where ITK tells another, because it scales the values
-  bool bytes_are_signed = false;          ///< where ITK reads them as uint8
-  std::string note;
+  std::optional<ScalarType> stored_type;  ///< of the voxels, where ITK may tell another
+  LinearMap scaling;                      ///< from the stored values to the volume's
 };
 
 // Each throws Error when the file is not of the format, or not in a form that can be read.

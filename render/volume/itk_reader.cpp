@@ -73,7 +73,7 @@ void require_countable(const std::string& name, const Selection& s, std::uint64_
 
 /// Reads all of the file and keeps the selection. Plain float32 is read in place.
 std::vector<float> read_values(const std::string& name, itk::ImageIOBase& io, const Selection& selection,
-                               ScalarType type) {
+                               ScalarType type, LinearMap scaling) {
   itk::ImageIORegion all(io.GetNumberOfDimensions());
   for (unsigned axis = 0; axis < io.GetNumberOfDimensions(); ++axis)
     all.SetSize(axis, io.GetDimensions(axis));
@@ -81,14 +81,15 @@ std::vector<float> read_values(const std::string& name, itk::ImageIOBase& io, co
 
   const std::size_t points = selection.dims.x * selection.dims.y * selection.dims.z;
   std::vector<float> values(points);
-  if (type == ScalarType::float32 && selection.stored_values() == points) {
+  if (type == ScalarType::float32 && selection.stored_values() == points && scaling == LinearMap()) {
     with_itk(name, [&] { io.Read(values.data()); });
     return values;
   }
   std::vector<std::byte> bytes(selection.stored_values() * size_of(type));
   with_itk(name, [&] { io.Read(bytes.data()); });
   const std::size_t first = selection.frame * points * selection.components + selection.component;
-  convert_to_float(std::span(bytes).subspan(first * size_of(type)), type, selection.components, values);
+  convert_to_float(std::span(bytes).subspan(first * size_of(type)), type, selection.components, values,
+                   scaling);
   return values;
 }
 
@@ -101,24 +102,30 @@ Volume read(const Request& request, itk::ImageIOBase& io, FileHeader header, std
   if (const auto* vtk = dynamic_cast<itk::VTKImageIO*>(&io)) {
     header.data.offset = std::uint64_t(vtk->GetHeaderSize());
   }
+  if (auto* nifti = dynamic_cast<itk::NiftiImageIO*>(&io)) {  // ITK would apply an intercept without a slope
+    nifti->SetRescaleSlope(1);
+    nifti->SetRescaleIntercept(0);
+  }
   const ScalarType itk_type = scalar_type(name, io.GetComponentType());
-  const ScalarType type = header.bytes_are_signed ? ScalarType::int8 : itk_type;
+  const ScalarType type = header.stored_type.value_or(itk_type);
   const Selection selection = select(request, io);
-  const std::uint64_t values = selection.stored_values(),
-                      file_type_size = size_of(header.stored_type.value_or(type));
+  const std::uint64_t values = selection.stored_values();
   require_countable(name, selection, sizeof(double));
-  require_room(name, header.data, values, file_type_size);
+  require_room(name, header.data, values, size_of(type));
   require_memory(name, selection.dims, selection.components * selection.frames * size_of(type) * copies,
                  request.memory);
-  require_all(name, header.data, values, file_type_size);
+  require_all(name, header.data, values, size_of(type));
 
   Volume volume;
-  volume.file_type = header.stored_type.value_or(type);
-  volume.note = header.note;
-  add_note(volume.note, selection.note);
+  volume.file_type = type;
+  volume.note = selection.note;
+  if (header.scaling != LinearMap()) {
+    add_note(volume.note, fmt::format("values are {} times the stored ones plus {}", header.scaling.slope,
+                                      header.scaling.intercept));
+  }
   volume.grid.dims = glm::ivec3(selection.dims);
   take_geometry(io, volume);
-  volume.values = read_values(name, io, selection, type);
+  volume.values = read_values(name, io, selection, type, header.scaling);
   return volume;
 }
 

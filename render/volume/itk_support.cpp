@@ -15,28 +15,31 @@
 namespace crest {
 namespace {
 
-/// Sends a file descriptor to /dev/null for as long as this lives: NIfTI's and MetaIO's readers, GDCM and ITK
-/// itself each print in a way of their own.
+/// Sends stderr to /dev/null for as long as this lives: NIfTI's and MetaIO's readers, GDCM and ITK itself
+/// each print on it in a way of their own.
 class Silence {
  public:
-  explicit Silence(int descriptor) : descriptor_(descriptor), kept_(dup(descriptor)) {
+  Silence() : kept_(dup(STDERR_FILENO)) {
+    flush();
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (kept_ >= 0 && nowhere >= 0) dup2(nowhere, descriptor_);
+    if (kept_ >= 0 && nowhere >= 0) dup2(nowhere, STDERR_FILENO);
     if (nowhere >= 0) close(nowhere);
   }
   ~Silence() {
-    std::cout.flush();
-    std::cerr.flush();
-    std::fflush(nullptr);
+    flush();
     if (kept_ < 0) return;
-    dup2(kept_, descriptor_);
+    dup2(kept_, STDERR_FILENO);
     close(kept_);
   }
   Silence(const Silence&) = delete;
   Silence& operator=(const Silence&) = delete;
 
  private:
-  int descriptor_, kept_;
+  static void flush() {
+    std::cerr.flush();
+    std::fflush(stderr);
+  }
+  int kept_;
 };
 
 /// An exception's text in one line, without the object that ITK begins it with.
@@ -52,9 +55,9 @@ std::string one_line(std::string text) {
 }  // namespace
 
 void with_itk(const std::string& name, const std::function<void()>& work) {
-  static std::mutex one_at_a_time;  // the descriptors are the process's
+  static std::mutex one_at_a_time;  // stderr is the process's
   const std::lock_guard lock(one_at_a_time);
-  const Silence out(STDOUT_FILENO), err(STDERR_FILENO);
+  const Silence silence;
   try {
     work();
   } catch (const itk::ExceptionObject& e) {

@@ -9,7 +9,7 @@
 
 namespace crest {
 
-/// Runs `work` with what ITK and its libraries print kept off stdout and stderr; what they throw becomes a
+/// Runs `work` with what ITK and its libraries print kept off stderr; what they throw becomes a
 /// one-line Error that begins with `name`. One thread at a time.
 void with_itk(const std::string& name, const std::function<void()>& work);
 

@@ -27,7 +27,7 @@ struct Reader {
 constexpr Reader readers[] = {
     {{"NRRD", ".nrrd .nhdr", "attached or detached header; raw, gzip, ascii or hex"}, read_nrrd},
     {{"MetaImage", ".mha .mhd", "attached or detached header; raw or compressed"}, read_metaimage},
-    {{"NIfTI", ".nii .nii.gz", "versions 1 and 2; slope and intercept are applied"}, read_nifti},
+    {{"NIfTI", ".nii .nii.gz", "version 1; slope and intercept are applied"}, read_nifti},
     {{"MRC", ".mrc .map .rec .ccp4", "electron microscopy; modes 0, 1, 2 and 6"}, read_mrc},
     {{"VTK", ".vtk", "legacy structured points, binary or ASCII"}, read_vtk},
     {{"DICOM", ".dcm .dicom .ima",
@@ -101,6 +101,7 @@ void repair_geometry(Volume& volume) {
   }
   for (int axis = 0; axis < 3; ++axis) {
     double& origin = volume.grid.origin[axis];
+    origin += 0.0;  // no -0
     if (std::isfinite(origin)) continue;
     add_note(fmt::format("the file's origin {} on axis {} is taken as 0", origin, axis + 1));
     origin = 0;

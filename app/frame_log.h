@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ui/studio.h"
+
+namespace crest {
+
+/// How live the window is: the time of each frame while a mouse button is held, and how long each view takes
+/// from an edit until it shows it.
+class FrameLog {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  void add_frame(double ms) { frame_ms_.push_back(ms); }
+  /// Tells what each view wants and shows, once a frame; an edit counts from the frame that first wants it.
+  void add_versions(const std::array<std::uint64_t, view_count>& wanted,
+                    const std::array<std::uint64_t, view_count>& shown);
+
+  /// Count, median, 95th percentile and maximum, as JSON.
+  std::string summary() const;
+
+ private:
+  std::vector<double> frame_ms_;
+  std::array<std::map<std::uint64_t, Clock::time_point>, view_count> waiting_;
+  std::array<std::uint64_t, view_count> last_wanted_{};
+  std::array<std::vector<double>, view_count> latency_ms_;
+};
+
+}  // namespace crest

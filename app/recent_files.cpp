@@ -1,0 +1,51 @@
+#include "app/recent_files.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "presets/atomic_file.h"
+#include "presets/error.h"
+
+namespace crest {
+namespace {
+
+constexpr std::size_t most_recent = 12;
+
+std::filesystem::path recent_file() {
+  const char* config = std::getenv("XDG_CONFIG_HOME");
+  const char* home = std::getenv("HOME");
+  if (config && *config) return std::filesystem::path(config) / "crest" / "recent.json";
+  if (home && *home) return std::filesystem::path(home) / ".config" / "crest" / "recent.json";
+  return {};
+}
+
+}  // namespace
+
+RecentFiles::RecentFiles() {
+  try {
+    const auto json = nlohmann::json::parse(read_file(recent_file(), 1 << 20));
+    for (const auto& entry : json)
+      if (entry.is_string() && list_.size() < most_recent) list_.push_back(entry);
+  } catch (const std::exception&) {
+    list_.clear();  // no list yet, or not one of ours
+  }
+}
+
+void RecentFiles::add(const std::string& source) {
+  if (!list_.empty() && list_.front() == source) return;
+  std::erase(list_, source);
+  list_.insert(list_.begin(), source);
+  if (list_.size() > most_recent) list_.resize(most_recent);
+  const auto path = recent_file();
+  if (path.empty()) return;
+  try {
+    std::filesystem::create_directories(path.parent_path());
+    write_file_atomically(path, nlohmann::json(list_).dump(1) + "\n");
+  } catch (const std::exception&) {
+    // a convenience only
+  }
+}
+
+}  // namespace crest

@@ -1,0 +1,202 @@
+#include "app/studio.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "app/scene_options.h"
+#include "presets/error.h"
+#include "presets/preset_file.h"
+#include "render/camera.h"
+#include "render/volume/load.h"
+
+namespace crest {
+namespace {
+
+gl::TextureHandle upload_picture(const Picture8& picture) {
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &id);
+  gl::TextureHandle texture(id);
+  glTextureStorage2D(id, 1, GL_RGBA8, picture.width, picture.height);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage2D(id, 0, 0, 0, picture.width, picture.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                      picture.rgba.data());
+  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  return texture;
+}
+
+bool is_preset_file(const std::string& source) {
+  return std::filesystem::path(source).extension() == ".json";
+}
+
+Preset without_camera(Preset preset) {
+  preset.camera.reset();
+  return preset;
+}
+
+}  // namespace
+
+Studio::Studio(Document document, std::shared_ptr<const Volume> volume, std::filesystem::path shader_folder)
+    : document_(std::move(document)),
+      saved_(document_.preset),
+      loaded_{document_.volume_source, std::move(volume)},
+      views_(std::move(shader_folder)) {
+  if (loaded_.volume) recent_.add(loaded_.source);
+  if (document_.volume_source.empty())
+    say("Open a volume: Ctrl+O, the Volume menu, or drop a file on the window");
+}
+
+void Studio::say(std::string text, bool is_error) {
+  message_ = std::move(text);
+  message_is_error_ = is_error;
+}
+
+bool Studio::has_unsaved_changes() const {
+  return without_camera(document_.preset) != without_camera(saved_);
+}
+
+bool Studio::is_busy() const { return loading_.valid() || views_.is_busy(); }
+
+std::string Studio::title() const {
+  const std::string name =
+      document_.preset_path.empty() ? "new preset" : document_.preset_path.filename().string();
+  return fmt::format("{}{} - {} - Crest", has_unsaved_changes() ? "* " : "", name,
+                     loaded_.volume ? loaded_.volume->name : "no volume");
+}
+
+void Studio::start_loading(const std::string& source) {
+  loading_source_ = source;
+  say(fmt::format("Reading {} ...", source));
+  loading_ = std::async(std::launch::async, [source] {
+    return Loaded{source, std::make_shared<const Volume>(load_volume(source))};
+  });
+}
+
+void Studio::take_loaded_volume() {
+  if (!loading_.valid() || loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  try {
+    loaded_ = loading_.get();
+    document_.volume_source = loaded_.source;
+    recent_.add(loaded_.source);
+    const glm::ivec3 dims = loaded_.volume->grid.dims;
+    say(fmt::format("{}: {}x{}x{} {}{}{}", loaded_.volume->name, dims.x, dims.y, dims.z,
+                    name_of(loaded_.volume->file_type), loaded_.volume->note.empty() ? "" : ", ",
+                    loaded_.volume->note));
+  } catch (const std::exception& error) {
+    document_.volume_source = loaded_.source;  // what was there stays
+    say(error.what(), true);
+  }
+  loading_source_.clear();
+}
+
+void Studio::open_preset(const std::string& name_or_path) {
+  try {
+    Preset preset = load_preset(name_or_path);
+    const bool is_file = std::filesystem::exists(name_or_path);
+    document_.preset = std::move(preset);
+    document_.preset_path = is_file ? std::filesystem::path(name_or_path) : std::filesystem::path();
+    saved_ = document_.preset;
+    if (is_file) recent_.add(name_or_path);
+    say(fmt::format("Opened {}", name_or_path));
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
+void Studio::save_preset_to(const std::filesystem::path& path) {
+  try {
+    save_preset(path, document_.preset);
+    document_.preset_path = path;
+    saved_ = document_.preset;
+    recent_.add(path.string());
+    say(fmt::format("Saved {}", path.string()));
+  } catch (const std::exception& error) {
+    quit_ = false;  // a person who saves before quitting must not lose what could not be saved
+    say(error.what(), true);
+  }
+}
+
+void Studio::open(const std::string& source) {
+  if (is_preset_file(source))
+    open_preset(source);
+  else if (!loading_.valid())
+    start_loading(source);
+}
+
+void Studio::handle(const StudioRequests& requests) {
+  quit_ = requests.quit;
+  if (requests.new_preset) {
+    document_.preset = Preset{};
+    document_.preset.transfer_function = default_transfer_function();
+    document_.preset_path.clear();
+    saved_ = document_.preset;
+  }
+  if (requests.open_preset) open_preset(*requests.open_preset);
+  if (requests.save_preset) save_preset_to(*requests.save_preset);
+  if (requests.open_volume && !loading_.valid()) start_loading(*requests.open_volume);
+  if (requests.reload_shaders) {
+    views_.raycaster().reload_shaders();
+    views_.invalidate();
+  }
+}
+
+StudioInputs Studio::inputs(bool close_requested) {
+  StudioInputs inputs;
+  inputs.unsaved_changes = has_unsaved_changes();
+  inputs.close_requested = close_requested;
+  inputs.message = message_;
+  inputs.message_is_error = message_is_error_;
+  inputs.recent = recent_.list();
+  inputs.performance = performance_;
+  for (int i = 0; i < view_count; ++i) inputs.views[std::size_t(i)] = views_.picture(i);
+  if (!loaded_.volume) return inputs;
+  const Scene scene = make_scene(loaded_.volume, document_.preset);
+  const Classification& classification = views_.raycaster().classification(scene);
+  update_table_texture(classification);
+  inputs.volume = loaded_.volume.get();
+  inputs.resolved = scene.tf;
+  inputs.peaks = classification.peaks;
+  inputs.surfaces = classification.surfaces;
+  inputs.table = &classification.table;
+  inputs.table_texture = table_texture_.id();
+  inputs.camera = camera_of(document_.preset, *loaded_.volume);
+  return inputs;
+}
+
+void Studio::update_table_texture(const Classification& classification) {
+  if (pictured_table_ && *pictured_table_ == classification.table &&
+      pictured_peaks_ == classification.surfaces)
+    return;
+  table_texture_ = upload_picture(table_picture(classification.table, classification.surfaces));
+  pictured_table_ = classification.table;
+  pictured_peaks_ = classification.surfaces;
+}
+
+std::array<ViewRequest, view_count> Studio::view_requests(const StudioRequests& requests) const {
+  std::array<ViewRequest, view_count> wanted;
+  if (!loaded_.volume) return wanted;
+  const Scene scene = make_scene(loaded_.volume, document_.preset);
+  for (std::size_t i = 0; i < view_count; ++i) {
+    wanted[i] = {scene, camera_of(document_.preset, *loaded_.volume), requests.view_pixels[i]};
+    wanted[i].scene.rendering.mode = view_modes[i];
+  }
+  return wanted;
+}
+
+void Studio::frame(bool close_requested, double render_ms, bool interactive) {
+  take_loaded_volume();
+  const StudioRequests requests = studio_frame(document_, *ui_, inputs(close_requested));
+  handle(requests);
+  // Undo can bring back another volume
+  if (!loading_.valid() && document_.volume_source != loaded_.source && !document_.volume_source.empty())
+    start_loading(document_.volume_source);
+  try {
+    views_.work(view_requests(requests), render_ms, interactive);
+  } catch (const Error& error) {
+    say(error.what(), true);
+  }
+  if (!views_.raycaster().shader_error().empty()) say(views_.raycaster().shader_error(), true);
+}
+
+}  // namespace crest

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/recent_files.h"
+#include "app/view_renderer.h"
+#include "ui/studio.h"
+
+namespace crest {
+
+/// The document that a person works on, with all that was made of it: the volume, the views, the peak table's
+/// picture. It owns no window; a GL 4.5 context must be current throughout.
+class Studio {
+ public:
+  /// `volume` is what document.volume_source names; null when that is empty.
+  Studio(Document document, std::shared_ptr<const Volume> volume, std::filesystem::path shader_folder);
+
+  /// One frame: draws the panels (between Dear ImGui's NewFrame and Render), does what the person asked for,
+  /// and works on the views for about `render_ms`.
+  void frame(bool close_requested, double render_ms, bool interactive);
+
+  /// What was dropped on the window: a preset (.json), or a volume.
+  void open(const std::string& source);
+
+  bool wants_to_quit() const { return quit_; }
+  /// Whether something is left to draw, or a volume is being read.
+  bool is_busy() const;
+  std::string title() const;
+  const Document& document() const { return document_; }
+  const StudioState& ui_state() const { return *ui_; }
+  const ViewRenderer& views() const { return views_; }
+  void set_performance_text(std::string text) { performance_ = std::move(text); }
+
+ private:
+  struct Loaded {
+    std::string source;
+    std::shared_ptr<const Volume> volume;
+  };
+
+  void start_loading(const std::string& source);
+  void take_loaded_volume();
+  void open_preset(const std::string& name_or_path);
+  void save_preset_to(const std::filesystem::path& path);
+  void handle(const StudioRequests& requests);
+  void say(std::string text, bool is_error = false);
+  bool has_unsaved_changes() const;
+  StudioInputs inputs(bool close_requested);
+  void update_table_texture(const Classification& classification);
+  std::array<ViewRequest, view_count> view_requests(const StudioRequests& requests) const;
+
+  Document document_;
+  Preset saved_;  ///< as the file has it
+  Loaded loaded_;
+  std::string loading_source_;
+  std::future<Loaded> loading_;
+  StudioStatePtr ui_ = make_studio_state();
+  ViewRenderer views_;
+  RecentFiles recent_;
+  std::optional<PeakTable> pictured_table_;
+  std::vector<Peak> pictured_peaks_;
+  gl::TextureHandle table_texture_;
+  std::string message_, performance_;
+  bool message_is_error_ = false, quit_ = false;
+};
+
+}  // namespace crest

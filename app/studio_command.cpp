@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "app/commands.h"
+#include "app/compare.h"
+#include "app/frame_log.h"
+#include "app/scene_options.h"
+#include "app/studio.h"
+#include "app/window.h"
+#include "app/window_script.h"
+#include "presets/atomic_file.h"
+#include "presets/error.h"
+#include "presets/preset_file.h"
+#include "render/volume/load.h"
+#include "ui/style.h"
+
+namespace crest {
+namespace {
+
+struct StudioOptions {
+  SceneOptions scene;
+  std::string shader_folder, frame_log, layout_file;
+};
+
+constexpr double interactive_ms = 10;  ///< for the views, in a frame in which the person does something
+constexpr double resting_ms = 80;
+constexpr double rest_after_s = 0.25;  ///< since the last input
+constexpr int settling_frames = 3;     ///< that Dear ImGui takes to show what an input did
+
+Document initial_document(const StudioOptions& options, const Volume* volume) {
+  Document document;
+  document.volume_source = options.scene.volume;
+  document.preset = options.scene.read_preset(volume ? *volume : Volume{});
+  if (std::filesystem::exists(options.scene.preset)) document.preset_path = options.scene.preset;
+  return document;
+}
+
+void run_window(const StudioOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  std::shared_ptr<const Volume> volume;
+  if (!options.scene.volume.empty())
+    volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
+  Document document = initial_document(options, volume.get());
+  Window window("Crest", 1720, 1160);
+  apply_style(window.content_scale());
+  Studio studio(std::move(document), std::move(volume), options.shader_folder);
+  FrameLog log;
+  LayoutFile layout(options.layout_file);
+  Clock::time_point last_input = Clock::now();
+  int settling = settling_frames;
+  while (!studio.wants_to_quit()) {
+    const bool idle = settling <= 0 && !studio.is_busy();
+    window.poll_events(idle, 1.0);
+    const auto begin = Clock::now();
+    if (window.had_input()) {
+      last_input = begin;
+      settling = settling_frames;
+    }
+    if (settling <= 0 && !studio.is_busy()) continue;
+    const bool interactive =
+        window.is_mouse_down() || begin - last_input < std::chrono::duration<double>(rest_after_s);
+
+    window.begin_frame();
+    for (const auto& dropped : window.take_dropped()) studio.open(dropped);
+    studio.frame(window.take_close_request(), interactive ? interactive_ms : resting_ms, interactive);
+    window.end_frame();
+    window.set_title(studio.title());
+    if (settling > 0 && !studio.is_busy()) --settling;
+
+    const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    studio.set_performance_text(fmt::format("{:.0f} ms a frame", frame_ms));
+    if (window.is_mouse_down()) log.add_frame(frame_ms);
+    log.add_versions(studio.views().wanted_versions(), studio.views().shown_versions());
+    layout.update(studio);
+  }
+  if (!options.frame_log.empty()) write_file_atomically(options.frame_log, log.summary());
+}
+
+/// What the studio does where it has no display: a picture instead of a window.
+void run_without_display(StudioOptions options) {
+  CompareOptions compare;
+  compare.scene = options.scene;
+  if (compare.scene.volume.empty()) compare.scene.volume = "builtin:plume?n=96";
+  if (compare.scene.preset.empty()) compare.scene.preset = "dirac-shell";
+  compare.picture.output = "crest-modes.png";
+  compare_modes(compare);
+  fmt::print(
+      "No display here: the four modes of {} with preset {} are in {}.\n"
+      "For the window, run this where DISPLAY is set (a desktop, ssh -X, or xvfb-run).\n",
+      compare.scene.volume, compare.scene.preset, std::filesystem::absolute(compare.picture.output).string());
+}
+
+}  // namespace
+
+void add_studio(CLI::App& app, Action& chosen) {
+  auto options = std::make_shared<StudioOptions>();
+  app.add_option("VOLUME", options->scene.volume, "What to open in the studio window");
+  options->scene.add_to(app);
+  app.add_option("--shaders", options->shader_folder,
+                 "Read the shaders from this folder; F5 reads them again")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--log-frames", options->frame_log,
+                 "On quitting, write frame times and edit-to-view times here")
+      ->type_name("FILE");
+  app.add_option("--log-layout", options->layout_file,
+                 "Write where the widgets are, for scripts that drive the window")
+      ->type_name("FILE");
+  app.callback([options, &chosen, &app] {
+    if (!app.get_subcommands().empty()) return;
+    chosen = [options] { has_display() ? run_window(*options) : run_without_display(*options); };
+  });
+}
+
+}  // namespace crest

@@ -1,0 +1,139 @@
+#include "app/window.h"
+
+#include <epoxy/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "presets/error.h"
+
+namespace crest {
+namespace {
+
+GLFWwindow* create_window(const std::string& title, int width, int height) {
+  if (!glfwInit())
+    throw Error("no display to open a window on (set DISPLAY, or use crest compare for pictures)");
+  int x = 0, y = 0, available_width = width, available_height = height;
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
+    glfwGetMonitorWorkarea(monitor, &x, &y, &available_width, &available_height);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  GLFWwindow* window = glfwCreateWindow(std::min(width, available_width), std::min(height, available_height),
+                                        title.c_str(), nullptr, nullptr);
+  if (!window) {
+    glfwTerminate();
+    throw Error("the graphics driver gives no window with OpenGL 4.5 core");
+  }
+  return window;
+}
+
+WindowInput& input_of(GLFWwindow* window) { return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window)); }
+
+void note_input(GLFWwindow* window) { input_of(window).any = true; }
+
+/// Dear ImGui's callbacks are installed later, and call these.
+void note_all_input(GLFWwindow* window, WindowInput& input) {
+  glfwSetWindowUserPointer(window, &input);
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { note_input(w); });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { note_input(w); });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { note_input(w); });
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int, int, int, int) { note_input(w); });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { note_input(w); });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { note_input(w); });
+  glfwSetWindowRefreshCallback(window, note_input);
+  glfwSetWindowCloseCallback(window, note_input);
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    note_input(w);
+    for (int i = 0; i < count; ++i) input_of(w).dropped.emplace_back(paths[i]);
+  });
+}
+
+}  // namespace
+
+Window::Window(const std::string& title, int width, int height)
+    : window_(create_window(title, width, height)), title_(title) {
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(1);
+  note_all_input(window_, input_);
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;  // the layout is ours; nothing is left in the folder
+  ImGui_ImplGlfw_InitForOpenGL(window_, true);
+  ImGui_ImplOpenGL3_Init("#version 450 core");
+}
+
+Window::~Window() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+void Window::poll_events(bool wait, double seconds) {
+  if (wait)
+    glfwWaitEventsTimeout(seconds);
+  else
+    glfwPollEvents();
+}
+
+void Window::begin_frame() {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Window::end_frame() {
+  ImGui::Render();
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, width, height);
+  const ImVec4 background = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+  glClearColor(background.x, background.y, background.z, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  glfwSwapBuffers(window_);
+}
+
+bool Window::take_close_request() {
+  const bool requested = glfwWindowShouldClose(window_);
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
+  return requested;
+}
+
+std::vector<std::string> Window::take_dropped() { return std::exchange(input_.dropped, {}); }
+
+bool Window::had_input() { return std::exchange(input_.any, false); }
+
+bool Window::is_mouse_down() const {
+  for (const int button : {GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_RIGHT, GLFW_MOUSE_BUTTON_MIDDLE})
+    if (glfwGetMouseButton(window_, button) == GLFW_PRESS) return true;
+  return false;
+}
+
+float Window::content_scale() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return x;
+}
+
+void Window::set_title(const std::string& title) {
+  if (title == title_) return;
+  title_ = title;
+  glfwSetWindowTitle(window_, title.c_str());
+}
+
+bool has_display() {
+  const char* display = std::getenv("DISPLAY");
+  return display && *display;
+}
+
+}  // namespace crest

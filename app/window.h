@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace crest {
+
+/// What came in since it was last asked for.
+struct WindowInput {
+  bool any = true;
+  std::vector<std::string> dropped;  ///< files
+};
+
+/// The studio's window: GLFW with an OpenGL 4.5 core context, and Dear ImGui in it.
+class Window {
+ public:
+  /// Throws Error when there is no display, or no such context.
+  Window(const std::string& title, int width, int height);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Handles what came in; with `wait`, sleeps until something does (at most `seconds`).
+  void poll_events(bool wait, double seconds);
+  void begin_frame();
+  void end_frame();
+
+  bool take_close_request();                ///< true once after the close button was pressed
+  std::vector<std::string> take_dropped();  ///< files dropped since the last call
+  bool had_input();                         ///< since the last call
+  bool is_mouse_down() const;
+  float content_scale() const;  ///< 2 on a screen of twice the usual density
+  void set_title(const std::string& title);
+
+ private:
+  GLFWwindow* window_ = nullptr;
+  WindowInput input_;
+  std::string title_;
+};
+
+/// Whether there is a display that a window could open on.
+bool has_display();
+
+}  // namespace crest

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace crest {
+
+/// What a DICOM file's elements tell before GDCM is let at it, which ends the program on some truncated files
+/// and fills in the pixels of others.
+struct DicomStructure {
+  bool has_image = false;                    ///< rows, and pixels
+  std::optional<std::uint64_t> pixel_bytes;  ///< of uncompressed pixels
+};
+
+/// Whether the file begins as DICOM files do.
+bool is_dicom(const std::filesystem::path& path);
+
+/// Goes through the elements up to the pixels' end. Throws Error when the file ends before they do.
+DicomStructure read_dicom_structure(const std::filesystem::path& path);
+
+}  // namespace crest

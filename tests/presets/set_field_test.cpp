@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include "presets/error.h"
+#include "presets/preset_file.h"
+
+namespace crest {
+namespace {
+
+Preset plain() {
+  Preset preset;
+  preset.transfer_function = default_transfer_function();
+  preset.transfer_function.unknown = R"({"later":1})";
+  return preset;
+}
+
+std::string error_of(std::string_view assignment) {
+  try {
+    set_field(plain(), assignment);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(SetField, SetsOneFieldAndNoOther) {
+  Preset expected = plain();
+  expected.rendering.step = 0.25;
+  EXPECT_EQ(set_field(plain(), "rendering.step=0.25"), expected);
+  expected = plain();
+  expected.transfer_function.points[1].value = 3;
+  EXPECT_EQ(set_field(plain(), "transfer_function.points[1].value=3"), expected);
+  expected = plain();
+  expected.rendering.mode = Mode::peak_only;
+  EXPECT_EQ(set_field(plain(), "rendering.mode=PEAK_ONLY"), expected);
+  EXPECT_EQ(set_field(plain(), "rendering.mode=\"PEAK_ONLY\""), expected);
+  expected = plain();
+  expected.transfer_function.points[0].surface.opacity = 0.5;
+  EXPECT_EQ(set_field(plain(), "transfer_function.points[0].surface.opacity=0.5"), expected);
+  expected = plain();
+  expected.name = "a = b, with spaces";
+  EXPECT_EQ(set_field(plain(), "name=a = b, with spaces"), expected);
+  expected = plain();
+  expected.transfer_function.points[1].color.g = 0.125;
+  EXPECT_EQ(set_field(plain(), "transfer_function.points[1].color[1]=0.125"), expected);
+}
+
+TEST(SetField, MakesACameraAndTakesItAway) {
+  const Preset with = set_field(plain(), "camera.eye=[0,0,5]");
+  EXPECT_EQ(with.camera, (Camera{{0, 0, 5}, {0, 0, 1}, {0, 1, 0}, 30, ""}));
+  EXPECT_EQ(set_field(with, "camera=null"), plain());
+}
+
+TEST(SetField, ReplacesAllPoints) {
+  const Preset preset = set_field(plain(), R"(transfer_function.points=[{"value": 5, "opacity": 1}])");
+  ASSERT_EQ(preset.transfer_function.points.size(), 1u);
+  EXPECT_EQ(preset.transfer_function.points[0].value, 5);
+}
+
+TEST(SetField, RefusesWhatIsNotThere) {
+  EXPECT_EQ(
+      error_of("rendering.stp=1"),
+      "rendering.stp: no field \"stp\"; rendering has: mode, peak_form, engine, step, max_peaks, peak_bins, "
+      "shading, early_termination, background");
+  EXPECT_EQ(
+      error_of("render.step=1"),
+      "render.step: no field \"render\"; a preset has: format, version, name, notes, transfer_function, "
+      "rendering, camera");
+  EXPECT_EQ(error_of("transfer_function.points[2].value=1"),
+            "transfer_function.points[2].value: transfer_function.points has 2 elements, counted from 0");
+  EXPECT_EQ(error_of("rendering[0]=1"), "rendering[0]: rendering is not an array");
+  EXPECT_EQ(error_of("name.first=1"), "name.first: name has no fields");
+  EXPECT_EQ(error_of("transfer_function.points[x]=1"),
+            "transfer_function.points[x]: an index is written like [0]");
+  EXPECT_EQ(error_of("transfer_function.points[-1]=1"),
+            "transfer_function.points[-1]: an index is written like [0]");
+  EXPECT_EQ(error_of("transfer_function.points[0"),
+            "transfer_function.points[0: a field is set by PATH=VALUE, as in "
+            "rendering.step=0.5");
+  for (const char* odd :
+       {"rendering.step.=1", ".=1", "..=1", "[0]=1", "rendering..step=1", "transfer_function.points[=1",
+        "transfer_function.points[0]]=1", "transfer_function.points[99999999999999999999]=1"})
+    EXPECT_NE(error_of(odd), "no error") << odd;
+}
+
+TEST(SetField, RefusesWrongValues) {
+  EXPECT_EQ(error_of("rendering.step=0"), "rendering.step: 0 is not greater than 0");
+  EXPECT_EQ(error_of("rendering.step=fast"), "rendering.step: \"fast\" is not a number");
+  EXPECT_EQ(error_of("rendering.step="), "rendering.step: \"\" is not a number");
+  EXPECT_EQ(error_of("transfer_function.points=[]"),
+            "transfer_function.points: holds no point: a transfer function needs at least one");
+  EXPECT_EQ(error_of("version=2"), "version: 2 is not 1, the version that this program reads");
+}
+
+}  // namespace
+}  // namespace crest
