@@ -32,12 +32,12 @@ bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widg
   ImGui::SameLine();
   field_label("width");
   double width = new_peak_width(editor, visible);
-  if (number_field(widgets, "##peak width", width, {0, infinity}, scaled(62))) editor.new_peak_width = width;
+  if (number_field(widgets, "##peak width", width, {0, infinity}, scaled(70))) editor.new_peak_width = width;
   tip("Width of a new peak, in values; 0 makes a true spike");
   ImGui::SameLine();
   static constexpr std::string_view scales[] = {"no histogram", "linear hist.", "log hist."};
   int scale = int(editor.histogram_scale);
-  if (choice(widgets, "##histogram", scale, scales, scaled(104)))
+  if (choice(widgets, "##histogram", scale, scales, scaled(98)))
     editor.histogram_scale = HistogramScale(scale);
   ImGui::SameLine();
   ImGui::Checkbox("log opacity", &editor.opacity_axis.logarithmic);

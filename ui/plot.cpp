@@ -94,7 +94,7 @@ void draw_opacity_axis(ImDrawList& list, const Plot& plot) {
 }
 
 void draw_value_axis(ImDrawList& list, const Plot& plot) {
-  const int most = std::max(2, int(plot.axis.pixels / scaled(72)));
+  const int most = std::max(2, int(plot.axis.pixels / scaled(60)));
   const AxisTicks ticks = axis_ticks(plot.axis.visible, most);
   const float text_y = plot.high.y + scaled(5);
   for (const AxisTicks::Tick& tick : ticks.ticks) {
