@@ -106,7 +106,7 @@ bool peak_rule_fields(TransferFunction& tf, WidgetState& widgets) {
   bool changed = false;
   const float field = scaled(80);
   field_label("Spike width");
-  changed |= number_field(widgets, "##spike width", tf.spike_width, {0, infinity}, field);
+  changed |= number_field(widgets, "##spike width", tf.spike_width, {0, 1}, field);
   tip("A peak no wider than this share of the TF's span is a spike:\nshown as a surface, it is taken out of "
       "the volume rendering");
   ImGui::SameLine();
