@@ -34,6 +34,22 @@ bool contains(const Selection& selection, std::size_t i) {
   return std::binary_search(selection.begin(), selection.end(), i);
 }
 
+/// For each point the values of the nearest points beside it that are not selected.
+std::vector<ValueRange> rooms_of(const std::vector<ControlPoint>& points, const Selection& selection) {
+  std::vector<ValueRange> rooms(points.size(), {-infinity, infinity});
+  double nearest = -infinity;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    rooms[i].min = nearest;
+    if (!contains(selection, i)) nearest = points[i].value;
+  }
+  nearest = infinity;
+  for (std::size_t i = points.size(); i-- > 0;) {
+    rooms[i].max = nearest;
+    if (!contains(selection, i)) nearest = points[i].value;
+  }
+  return rooms;
+}
+
 ValueRange with_width(ValueRange range) {
   return range.max > range.min ? range : ValueRange{range.min, range.min + 1};
 }
@@ -101,34 +117,22 @@ void erase_points(TransferFunction& tf, const Selection& selection) {
 }
 
 ValueRange room_of(const std::vector<ControlPoint>& points, std::size_t point, const Selection& selection) {
-  ValueRange room{-infinity, infinity};
-  for (std::size_t i = point; i-- > 0;)
-    if (!contains(selection, i)) {
-      room.min = points[i].value;
-      break;
-    }
-  for (std::size_t i = point + 1; i < points.size(); ++i)
-    if (!contains(selection, i)) {
-      room.max = points[i].value;
-      break;
-    }
-  return room;
+  return rooms_of(points, selection)[point];
 }
 
 std::vector<ControlPoint> moved(const std::vector<ControlPoint>& before, const Selection& selection,
                                 double shift, double resolution) {
+  const std::vector<ValueRange> rooms = rooms_of(before, selection);
   double least = -infinity, most = infinity;
   for (const std::size_t i : selection) {
-    const ValueRange room = room_of(before, i, selection);
-    least = std::max(least, room.min - before[i].value);
-    most = std::min(most, room.max - before[i].value);
+    least = std::max(least, rooms[i].min - before[i].value);
+    most = std::min(most, rooms[i].max - before[i].value);
   }
   const double allowed = std::clamp(shift, least, most);
   std::vector<ControlPoint> points = before;
   for (const std::size_t i : selection) {
-    const ValueRange room = room_of(before, i, selection);
-    const double target = before[i].value + allowed;
-    points[i].value = std::clamp(round_to_resolution(target, resolution), room.min, room.max);
+    const double target = round_to_resolution(before[i].value + allowed, resolution);
+    points[i].value = std::clamp(target, rooms[i].min, rooms[i].max);
   }
   return points;
 }
@@ -170,6 +174,11 @@ glm::dvec3 peak_color(std::size_t n) {
 
 ValueRange range_in_domain(const TransferFunction& tf, ValueRange volume_range) {
   return tf.domain == Domain::normalized ? ValueRange{0, 1} : volume_range;
+}
+
+TransferFunction fitted(const TransferFunction& tf, ValueRange volume_range) {
+  if (tf.points.empty() || !(tf.span().width() > 0)) return tf;
+  return remap_values(tf, tf.span(), range_in_domain(tf, with_width(volume_range)));
 }
 
 TransferFunction in_domain(const TransferFunction& tf, Domain domain, ValueRange volume_range) {

@@ -51,6 +51,9 @@ glm::dvec3 peak_color(std::size_t n);
 /// The volume's range in the units of the TF's domain.
 ValueRange range_in_domain(const TransferFunction& tf, ValueRange volume_range);
 
+/// The TF's span laid over the volume's range; one whose points all share a value stays as it is.
+TransferFunction fitted(const TransferFunction& tf, ValueRange volume_range);
+
 /// The same TF in the other domain, for a volume of this range; a range of no width counts as one of 1.
 TransferFunction in_domain(const TransferFunction& tf, Domain domain, ValueRange volume_range);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
@@ -77,10 +79,9 @@ void library_menu(StudioState& state, StudioRequests& requests) {
 
 bool fit_to_volume(Document& document, StudioState& state, const Volume& volume) {
   TransferFunction& tf = document.preset.transfer_function;
-  if (tf.points.empty() || !(tf.span().width() > 0)) return false;
-  tf = remap_values(tf, tf.span(), range_in_domain(tf, volume.statistics.range));
+  const TransferFunction before = std::exchange(tf, fitted(tf, volume.statistics.range));
   state.editor.visible.reset();
-  return true;
+  return !(tf == before);
 }
 
 bool convert_domain(Document& document, StudioState& state, const Volume& volume) {

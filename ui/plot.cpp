@@ -94,7 +94,7 @@ void draw_opacity_axis(ImDrawList& list, const Plot& plot) {
 }
 
 void draw_value_axis(ImDrawList& list, const Plot& plot) {
-  const int most = std::max(2, int(plot.axis.pixels / scaled(72)));
+  const int most = std::max(2, int(plot.axis.pixels / scaled(60)));
   const AxisTicks ticks = axis_ticks(plot.axis.visible, most);
   const float text_y = plot.high.y + scaled(5);
   for (const AxisTicks::Tick& tick : ticks.ticks) {
@@ -179,7 +179,7 @@ void draw_curve(ImDrawList& list, const Plot& plot, const TransferFunction& tf) 
 }
 
 void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, std::span<const Peak> peaks) {
-  float label_end = -far_away;
+  ImVec2 taken_low{-far_away, -far_away}, taken_high = taken_low;  // by the last label
   for (const Peak& peak : peaks) {
     if (peak.last_point >= tf.points.size()) continue;  // found before the last edit
     const ControlPoint &first = tf.points[peak.first_point], &last = tf.points[peak.last_point];
@@ -197,9 +197,11 @@ void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, 
     const float left =
         above ? std::clamp(x - width / 2, plot.low.x + 2, std::max(plot.low.x + 2, plot.high.x - width - 2))
               : beside;
-    if (left < label_end) continue;
-    label_end = left + width + scaled(6);
     const float top = above ? y - scaled(9) - height : y - height / 2;
+    const bool overlaps = left < taken_high.x + scaled(6) && top < taken_high.y && top + height > taken_low.y;
+    if (overlaps) continue;
+    taken_low = {left, top};
+    taken_high = {left + width, top + height};
     list.AddText({std::round(left) + 1, std::round(top) + 1}, palette::plot, text.c_str());
     list.AddText({std::round(left), std::round(top)}, peak.shown ? palette::text : palette::dim,
                  text.c_str());

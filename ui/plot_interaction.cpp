@@ -165,6 +165,11 @@ double new_peak_width(const EditorState& editor, ValueRange visible) {
       round_to_resolution(share_of_view * visible.width(), 0.1 * share_of_view * visible.width()));
 }
 
+bool add_peak(TransferFunction& tf, EditorState& editor, double value, double opacity, double width) {
+  editor.selection = {insert_peak(tf, value, opacity, width, peak_color(tf.points.size() / 3))};
+  return true;
+}
+
 bool handle_plot_mouse(TransferFunction& tf, EditorState& editor, const Plot& plot, ValueRange whole) {
   bool changed = false;
   const bool hovered = ImGui::IsItemHovered();

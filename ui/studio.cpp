@@ -53,7 +53,7 @@ bool tabs(Document& document, StudioState& state, const StudioInputs& inputs) {
   if (peaks) {
     const float height = ImGui::GetContentRegionAvail().y;
     const float rows = float(inputs.peaks.size()) + 1;
-    const float list = std::min(rows * (ImGui::GetFrameHeight() + scaled(7)), height * 0.42F);
+    const float list = std::min(rows * (ImGui::GetFrameHeight() + scaled(10)), height * 0.42F);
     changed |= peaks_panel(document, state, inputs, std::max(list, scaled(60)));
     ImGui::Spacing();
     peak_table_panel(state, inputs);

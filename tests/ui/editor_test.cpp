@@ -278,6 +278,8 @@ TEST_F(Editor, UnitDistanceAndPeakRule) {
   click("peak rule");
   type("##spike width", "0.25");
   EXPECT_EQ(tf().spike_width, 0.25);
+  type("##spike width", "7");
+  EXPECT_EQ(tf().spike_width, 1) << "what a file can hold";
   type("##min prominence", "0.125");
   EXPECT_EQ(tf().min_prominence, 0.125);
 }

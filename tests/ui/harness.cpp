@@ -71,9 +71,10 @@ StudioRequests Studio::frame() {
   inputs.resolved = volume.values.empty() ? tf() : resolve(tf(), volume.statistics.range, 1);
   peaks_ = find_peaks(inputs.resolved);
   inputs.peaks = peaks_;
+  surfaces_ = shown_peaks(peaks_);
+  inputs.surfaces = surfaces_;
   if (inputs.volume) {
-    table_ =
-        build_peak_table(shown_peaks(peaks_), volume.statistics.range, document.preset.rendering.peak_bins);
+    table_ = build_peak_table(surfaces_, volume.statistics.range, document.preset.rendering.peak_bins);
     inputs.table = &table_;
     inputs.table_texture = 1;
   }

@@ -61,7 +61,7 @@ class Studio : public ::testing::Test {
   StudioRequests requests;  ///< of the last frame
 
  private:
-  std::vector<Peak> peaks_;
+  std::vector<Peak> peaks_, surfaces_;
   PeakTable table_;
 };
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "ui/studio_state.h"
+
+namespace crest {
+
+/// The rows of fields around the plot. Each returns whether it changed the transfer function.
+
+/// Adds a peak, and says what the plot shows.
+bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widgets, ValueRange visible);
+/// Exact numbers of the selected points. It stands above the plot, so that a click into the plot first takes
+/// what was typed.
+bool point_fields(TransferFunction& tf, EditorState& editor, WidgetState& widgets);
+/// What one opacity means: the distance that absorbs it.
+bool unit_fields(TransferFunction& tf, WidgetState& widgets);
+/// What counts as a peak.
+bool peak_rule_fields(TransferFunction& tf, WidgetState& widgets);
+
+}  // namespace crest
