@@ -18,11 +18,12 @@ nlohmann::ordered_json summarise(std::vector<double> values) {
 
 }  // namespace
 
-void FrameLog::add_versions(const std::array<std::uint64_t, view_count>& wanted,
+void FrameLog::add_versions(Clock::time_point frame_begin,
+                            const std::array<std::uint64_t, view_count>& wanted,
                             const std::array<std::uint64_t, view_count>& shown) {
   const auto now = Clock::now();
   for (std::size_t i = 0; i < view_count; ++i) {
-    if (wanted[i] != last_wanted_[i]) waiting_[i][wanted[i]] = now;
+    if (wanted[i] != last_wanted_[i]) waiting_[i][wanted[i]] = frame_begin;
     last_wanted_[i] = wanted[i];
     while (!waiting_[i].empty() && waiting_[i].begin()->first <= shown[i]) {
       const auto since = now - waiting_[i].begin()->second;

@@ -23,7 +23,7 @@ struct StudioOptions {
   std::string shader_folder, frame_log, layout_file;
 };
 
-constexpr double interactive_ms = 10;  ///< for the views, in a frame in which the person does something
+constexpr double interactive_ms = 12;  ///< for the views, in a frame in which the person does something
 constexpr double resting_ms = 80;
 constexpr double rest_after_s = 0.25;  ///< since the last input
 constexpr int settling_frames = 3;     ///< that Dear ImGui takes to show what an input did
@@ -71,7 +71,7 @@ void run_window(const StudioOptions& options) {
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     studio.set_performance_text(fmt::format("{:.0f} ms a frame", frame_ms));
     if (window.is_mouse_down()) log.add_frame(frame_ms);
-    log.add_versions(studio.views().wanted_versions(), studio.views().shown_versions());
+    log.add_versions(begin, studio.views().wanted_versions(), studio.views().shown_versions());
     layout.update(studio);
   }
   if (!options.frame_log.empty()) write_file_atomically(options.frame_log, log.summary());

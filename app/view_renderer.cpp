@@ -9,16 +9,18 @@ namespace crest {
 namespace {
 
 /// A coarse picture of one view should take about this long.
-constexpr double coarse_ms = 8;
+constexpr double coarse_ms = 5;
 /// A slice that is drawn at once: the window cannot react meanwhile.
 constexpr double slice_ms = 8;
-constexpr int coarsest = 8;
+constexpr int coarsest = 16;
+/// Costs are counted on a picture this much smaller than the view.
+constexpr int count_coarseness = 8;
 
 glm::ivec2 coarse_size(glm::ivec2 size, int coarseness) { return (size + coarseness - 1) / coarseness; }
 
 /// A coarse picture also steps further, within what still isolates most crossings.
 Scene coarse_scene(Scene scene, int coarseness) {
-  if (coarseness > 1) scene.rendering.step = std::max(scene.rendering.step, 1.0);
+  if (coarseness > 1) scene.rendering.step = std::max(scene.rendering.step, coarseness > 4 ? 2.0 : 1.0);
   return scene;
 }
 
@@ -93,7 +95,7 @@ void ViewRenderer::begin_pass(View& view, bool interactive) {
   pass.version = view.wanted_version;
   const glm::ivec2 size = view.wanted.size;
   if (view.shown_version != view.wanted_version) {
-    const double full_ms = view.ms_per_pixel * size.x * size.y;
+    const double full_ms = view.coarse_ms_per_pixel * size.x * size.y;
     while (pass.coarseness < coarsest && full_ms / (pass.coarseness * pass.coarseness) > coarse_ms)
       pass.coarseness *= 2;
   }
@@ -105,14 +107,15 @@ void ViewRenderer::begin_pass(View& view, bool interactive) {
 void ViewRenderer::draw_slice(View& view, double wanted_ms) {
   Pass& pass = *view.pass;
   const glm::ivec2 size = pass.target->size();
-  const int rows = std::clamp(int(wanted_ms / (view.ms_per_pixel * size.x)), 4, size.y - pass.next_row);
-  const Tile tile{{0, pass.next_row}, {size.x, std::min(pass.next_row + std::max(rows, 1), size.y)}};
+  double& ms_per_pixel = pass.coarseness == 1 ? view.ms_per_pixel : view.coarse_ms_per_pixel;
+  const int rows = std::max(int(std::min(wanted_ms / (ms_per_pixel * size.x), 1e6)), 4);
+  const Tile tile{{0, pass.next_row}, {size.x, std::min(pass.next_row + rows, size.y)}};
   const double ms = finished_ms([&] {
     raycaster_.draw(coarse_scene(pass.request.scene, pass.coarseness), pass.request.camera, *pass.target,
                     tile);
   });
   const double pixels = double(tile.end.x) * (tile.end.y - tile.begin.y);
-  view.ms_per_pixel = std::max(1e-7, 0.5 * view.ms_per_pixel + 0.5 * ms / pixels);
+  ms_per_pixel = std::max(1e-7, 0.5 * ms_per_pixel + 0.5 * ms / pixels);
   pass.ms += ms;
   // A picture in full appears as it grows
   if (pass.coarseness == 1 && view.display && view.display->size() == size)
@@ -137,7 +140,7 @@ void ViewRenderer::finish_pass(View& view) {
 }
 
 void ViewRenderer::count_costs(View& view) {
-  gl::RenderTarget target(coarse_size(view.wanted.size, coarsest), true);
+  gl::RenderTarget target(coarse_size(view.wanted.size, count_coarseness), true);
   view.counts = raycaster_.draw_counted(view.wanted.scene, view.wanted.camera, target);
   view.is_counted = true;
 }

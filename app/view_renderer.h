@@ -56,7 +56,7 @@ class ViewRenderer {
     int shown_coarseness = 0;  ///< 0: nothing is shown
     std::optional<Pass> pass;
     std::unique_ptr<gl::DisplayTexture> display;
-    double ms_per_pixel = 1e-3;  ///< a first guess; measured from then on
+    double ms_per_pixel = 1e-3, coarse_ms_per_pixel = 1e-3;  ///< a first guess; measured from then on
     double frame_ms = 0;
     RenderCounts counts;
     bool is_counted = false;

@@ -16,15 +16,24 @@ bool is_finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) &
 
 }  // namespace
 
+// The nearest eye on its line from which each corner of the box is within the view, with a margin.
 Camera whole_volume_camera(const Grid& grid, double fov_y_degrees) {
-  const glm::dvec3 middle = grid.origin + 0.5 * grid.box_size();
-  const double radius = 0.5 * glm::length(grid.box_size());
-  const double distance = radius / std::sin(glm::radians(0.5 * fov_y_degrees));
+  constexpr double margin = 1.04;
+  const glm::dvec3 half = 0.5 * grid.box_size();
   Camera camera;
-  camera.eye = middle + distance * glm::normalize(glm::dvec3(0.45, -0.8, 0.4));
-  camera.target = middle;
+  camera.target = grid.origin + half;
+  camera.eye = camera.target + glm::dvec3(0.45, -0.8, 0.4);
   camera.up = {0, 0, 1};
   camera.fov_y_degrees = fov_y_degrees;
+  const CameraFrame frame = camera_frame(camera);
+  const double slope = std::tan(glm::radians(0.5 * fov_y_degrees));
+  double distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 p = half * glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    const double aside = std::max(std::abs(glm::dot(p, frame.u)), std::abs(glm::dot(p, frame.v)));
+    distance = std::max(distance, margin * aside / slope - glm::dot(p, frame.w));
+  }
+  camera.eye = camera.target - distance * frame.w;
   return camera;
 }
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
+#include <cstdio>
 #include <sstream>
 
 #include "presets/atomic_file.h"
@@ -20,20 +20,26 @@ std::string read_shader_file(std::string_view name, const std::filesystem::path&
   throw Error(fmt::format("shader {} is not part of this program", name));
 }
 
+/// The file that `#include "file"` names; empty for another line.
+std::string included_file(const std::string& line) {
+  const auto first = line.find_first_not_of(" \t");
+  if (first == line.npos || line.compare(first, 8, "#include") != 0) return {};
+  const auto open = line.find('"', first), close = line.rfind('"');
+  return close > open ? line.substr(open + 1, close - open - 1) : std::string();
+}
+
 void append_file(ShaderSource& source, std::string_view name, const std::filesystem::path& folder) {
   if (std::ranges::find(source.files, name) != source.files.end()) return;  // each file once
   const auto index = source.files.size();
   source.files.emplace_back(name);
   source.text += fmt::format("#line 1 {}\n", index);
 
-  static const std::regex include(R"re(^\s*#include\s+"([^"]+)"\s*$)re");
   std::istringstream lines(read_shader_file(name, folder));
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    std::smatch match;
-    if (std::regex_match(line, match, include)) {
-      append_file(source, match[1].str(), folder);
+    if (const std::string included = included_file(line); !included.empty()) {
+      append_file(source, included, folder);
       source.text += fmt::format("#line {} {}\n", number + 1, index);
     } else {
       source.text += line + '\n';
@@ -52,19 +58,19 @@ ShaderSource load_shader(std::string_view name, const std::vector<std::string>& 
   return source;
 }
 
+// Mesa and Intel write "0:12(3): error", AMD "ERROR: 0:12:", NVIDIA "0(12) : error".
 std::string name_files_in_log(std::string_view log, const std::vector<std::string>& files) {
-  // Mesa and Intel write "0:12(3):", NVIDIA "0(12) :", AMD "0:12:".
-  static const std::regex place(R"re((\d+):(\d+)(\(\d+\))?:|(\d+)\((\d+)\) ?:)re");
   std::string named;
   std::istringstream lines{std::string(log)};
   for (std::string line; std::getline(lines, line);) {
-    std::smatch match;
-    if (std::regex_search(line, match, place)) {
-      const auto index = std::stoul(match[1].matched ? match[1] : match[4]);
-      const auto number = match[2].matched ? match[2].str() : match[5].str();
-      if (index < files.size())
-        line = fmt::format("{}{}:{}:{}", match.prefix().str(), files[index], number, match.suffix().str());
-    }
+    const auto place = std::min(line.find_first_of("0123456789"), line.size());
+    std::size_t file = 0, number = 0;
+    int length = 0;
+    const char* text = line.c_str() + place;
+    const bool found = std::sscanf(text, "%zu:%zu%n", &file, &number, &length) == 2 ||
+                       std::sscanf(text, "%zu(%zu)%n", &file, &number, &length) == 2;
+    if (found && file < files.size())
+      line = fmt::format("{}{}:{}{}", line.substr(0, place), files[file], number, text + length);
     named += line + '\n';
   }
   return named;

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# drag.sh PROGRAM LOG [VOLUME [PRESET]]: drags a point of the TF about for some seconds in a real window, and leaves
+# the frame times and the times from an edit to each view in LOG, as JSON.
+set -eu
+program=$1 log=$2 volume=${3:-builtin:plume?n=128} preset=${4:-dirac-shell}
+if [ -z "${CREST_IN_XVFB:-}" ]; then
+  CREST_IN_XVFB=1 exec xvfb-run -a -s "-screen 0 1720x1160x24" "$0" "$@"
+fi
+source "$(dirname "$0")/drive.sh"
+work=$(mktemp -d)
+trap 'kill %1 2>/dev/null || true; rm -rf "$work"' EXIT
+layout=$work/layout
+export XDG_CONFIG_HOME=$work/config
+
+timeout 100 "$program" "$volume" --preset "$preset" --log-layout "$layout" --log-frames "$log" &
+wait_for 30 has_widget view0
+wait_for 60 is_idle
+for direction in 1 -1 1 -1; do
+  drag "$(place point/2)" $((direction * 15)) $((direction * -60)) 60
+done
+wait_for 60 is_idle
+# All is undone, so that nothing is asked on quitting
+for _ in $(seq 12); do
+  title_is '[!*]*' && break
+  xdotool key ctrl+z
+  sleep 0.5
+done
+xdotool key ctrl+q
+wait %1
