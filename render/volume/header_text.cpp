@@ -41,6 +41,13 @@ std::vector<std::string> words(std::string_view text) {
   return result;
 }
 
+std::string one_line(std::string_view text) {
+  std::string line(trim(text));
+  std::ranges::replace_if(
+      line, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return line;
+}
+
 std::vector<std::filesystem::path> files_of_pattern(std::string_view name,
                                                     const std::filesystem::path& folder,
                                                     const std::vector<std::string>& parts) {
