@@ -41,16 +41,16 @@ constexpr std::pair<std::uint32_t, std::string_view> known_types[] = {
     {0x00281051, "DS"}, {0x00281052, "DS"}, {0x00281053, "DS"},
 };
 
-/// Whole numbers (US) that it takes for granted, and what they may be (PS3.3, C.7.6.3).
+/// Whole numbers (US) that it takes for granted: what they may be, from `min` to `max` (PS3.3, C.7.6.3).
 struct Limits {
   std::uint32_t tag;
-  std::uint64_t min, max;
+  std::uint64_t min, max, step = 1;
 };
 constexpr Limits image_limits[] = {
-    {0x00280002, 1, 4},      // samples per pixel
+    {0x00280002, 1, 3, 2},   // samples per pixel
     {rows, 1, 65535},        //
     {0x00280011, 1, 65535},  // columns
-    {0x00280100, 8, 64},     // bits allocated, stored, and the highest one
+    {0x00280100, 8, 64, 8},  // bits allocated, stored, and the highest one
     {0x00280101, 1, 64},     //
     {0x00280102, 0, 63},     //
     {0x00280103, 0, 1},      // signed
@@ -155,9 +155,9 @@ bool check_number(Walker& walker, const Element& element, Coding coding) {
   if (limits == std::end(image_limits)) return false;
   const bool is_number = element.length == 2 && (element.type == "US" || element.type.empty());
   const std::uint64_t value = is_number ? walker.number(2, coding) : 0;
-  if (!is_number || value < limits->min || value > limits->max) {
-    walker.throw_damaged(fmt::format("{} is {}, and not a number in [{}, {}]", tag_text(element.tag), value,
-                                     limits->min, limits->max));
+  if (!is_number || value < limits->min || value > limits->max || (value - limits->min) % limits->step != 0) {
+    walker.throw_damaged(fmt::format("{} is {}, and not one of {} to {} by {}", tag_text(element.tag), value,
+                                     limits->min, limits->max, limits->step));
   }
   return true;
 }

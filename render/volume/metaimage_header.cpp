@@ -93,9 +93,14 @@ FileHeader read_metaimage_header(const fs::path& path) {
   if (local) header.data.offset = text.end;
   const std::int64_t skip = integer_of(name, text, "HeaderSize", 0, -1, most_bytes);
   if (skip > 0) header.data.offset = std::uint64_t(skip);
-  const std::int64_t promised = integer_of(name, text, "CompressedDataSize", 0, 0, most_bytes);
-  if (compressed)
-    require_room(name, {header.data.files, header.data.offset, Encoding::raw, 0}, std::uint64_t(promised), 1);
+  const auto packed = std::uint64_t(integer_of(name, text, "CompressedDataSize", 0, 0, most_bytes));
+  if (compressed && local && packed == 0) {
+    throw Error(fmt::format("{}: compressed local data needs a line \"CompressedDataSize = ...\"", name));
+  }
+  if (compressed && packed > 0) {
+    require_room(name, {header.data.files, header.data.offset}, packed, 1);
+    header.data.length = packed;
+  }
   return header;
 }
 

@@ -36,7 +36,8 @@ std::uint64_t bytes_from(const std::string& name, const fs::path& path, std::uin
 /// A zlib or gzip stream (or several gzip members) that is read from within a file.
 class Inflater {
  public:
-  Inflater(const fs::path& path, std::uint64_t offset) : file_(path, std::ios::binary), in_(block_size) {
+  Inflater(const fs::path& path, std::uint64_t offset, std::uint64_t length)
+      : file_(path, std::ios::binary), left_(length), in_(block_size) {
     constexpr int zlib_or_gzip = 15 + 32;
     file_.seekg(std::streamoff(offset));
     if (inflateInit2(&stream_, zlib_or_gzip) != Z_OK) throw Error("zlib could not be started");
@@ -57,7 +58,8 @@ class Inflater {
  private:
   bool refill() {
     if (stream_.avail_in > 0) return true;
-    file_.read(in_.data(), std::streamsize(in_.size()));
+    file_.read(in_.data(), std::streamsize(std::min<std::uint64_t>(in_.size(), left_)));
+    left_ -= std::uint64_t(file_.gcount());
     stream_.next_in = reinterpret_cast<Bytef*>(in_.data());
     stream_.avail_in = uInt(file_.gcount());
     return stream_.avail_in > 0;
@@ -78,6 +80,7 @@ class Inflater {
   }
 
   std::ifstream file_;
+  std::uint64_t left_;  ///< bytes that may still be read
   std::vector<char> in_;
   z_stream stream_{};
   bool ended_ = false;
@@ -88,7 +91,7 @@ void require_inflated(const std::string& name, const VoxelData& data, std::uint6
   std::uint64_t held = 0;
   std::vector<char> block(block_size);
   for (const fs::path& path : data.files) {
-    Inflater inflater(path, data.offset);
+    Inflater inflater(path, data.offset, data.length);
     std::size_t got = 0;
     do {
       got = inflater.read(block);
@@ -154,7 +157,7 @@ std::string read_head(const fs::path& path, std::size_t size, bool inflate) {
   std::string head(size, '\0');
   std::size_t got = 0;
   if (inflate) {
-    got = Inflater(path, 0).read(head);
+    got = Inflater(path, 0, fs::file_size(path)).read(head);
   } else {
     std::ifstream file(path, std::ios::binary);
     file.read(head.data(), std::streamsize(size));

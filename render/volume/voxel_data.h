@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,11 @@ enum class Encoding { raw, deflate, decimal, hexadecimal };
 
 /// Where a header says its voxels are: one after another in `files`, each from `offset` on.
 struct VoxelData {
-  std::vector<std::filesystem::path> files;
+  std::vector<std::filesystem::path> files = {};
   std::uint64_t offset = 0;
   Encoding encoding = Encoding::raw;
   std::uint64_t skip = 0;  ///< bytes before the voxels, counted in the inflated stream
+  std::uint64_t length = std::numeric_limits<std::uint64_t>::max();  ///< bytes from the offset on, at most
 };
 
 /// Throws Error, which begins with `name`, when a file is missing or the files cannot hold `values` numbers

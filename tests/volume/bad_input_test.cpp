@@ -119,6 +119,11 @@ TEST_F(BadInput, DamagedCompressedDataIsSaid) {
   std::string packed = mha_compressed(int16, endian::little).content;
   packed[packed.size() - 1] ^= 0x55;
   expect_error(write("a.mha", packed), {"damaged"});
+  packed = mha_compressed(int16, endian::little).content;
+  expect_error(write("b.mha", replaced(packed, "CompressedDataSize", "CompressedSize")),
+               {"CompressedDataSize"});
+  expect_error(write("b.mha", replaced(packed, "CompressedDataSize = ", "CompressedDataSize = 5\nX = ")),
+               {"ends early"});
   expect_error(write("b.mha", replaced(packed, "CompressedDataSize = ", "CompressedDataSize = 9")),
                {"promises 9"});
 }
