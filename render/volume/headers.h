@@ -14,7 +14,8 @@ namespace crest {
 struct FileHeader {
   VoxelData data;
   std::optional<ScalarType> stored_type;  ///< of the voxels, where ITK may tell another
-  LinearMap scaling;                      ///< from the stored values to the volume's
+  bool inflate_here = false;  ///< MetaIO believes a CompressedDataSize that is wrong in real files
+  LinearMap scaling;          ///< from the stored values to the volume's
 };
 
 // Each throws Error when the file is not of the format, or not in a form that can be read.

@@ -93,14 +93,7 @@ FileHeader read_metaimage_header(const fs::path& path) {
   if (local) header.data.offset = text.end;
   const std::int64_t skip = integer_of(name, text, "HeaderSize", 0, -1, most_bytes);
   if (skip > 0) header.data.offset = std::uint64_t(skip);
-  const auto packed = std::uint64_t(integer_of(name, text, "CompressedDataSize", 0, 0, most_bytes));
-  if (compressed && local && packed == 0) {
-    throw Error(fmt::format("{}: compressed local data needs a line \"CompressedDataSize = ...\"", name));
-  }
-  if (compressed && packed > 0) {
-    require_room(name, {header.data.files, header.data.offset}, packed, 1);
-    header.data.length = packed;
-  }
+  header.inflate_here = compressed && header.data.encoding == Encoding::deflate;
   return header;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 #include <fstream>
 #include <span>
 
@@ -36,8 +37,7 @@ std::uint64_t bytes_from(const std::string& name, const fs::path& path, std::uin
 /// A zlib or gzip stream (or several gzip members) that is read from within a file.
 class Inflater {
  public:
-  Inflater(const fs::path& path, std::uint64_t offset, std::uint64_t length)
-      : file_(path, std::ios::binary), left_(length), in_(block_size) {
+  Inflater(const fs::path& path, std::uint64_t offset) : file_(path, std::ios::binary), in_(block_size) {
     constexpr int zlib_or_gzip = 15 + 32;
     file_.seekg(std::streamoff(offset));
     if (inflateInit2(&stream_, zlib_or_gzip) != Z_OK) throw Error("zlib could not be started");
@@ -58,8 +58,7 @@ class Inflater {
  private:
   bool refill() {
     if (stream_.avail_in > 0) return true;
-    file_.read(in_.data(), std::streamsize(std::min<std::uint64_t>(in_.size(), left_)));
-    left_ -= std::uint64_t(file_.gcount());
+    file_.read(in_.data(), std::streamsize(in_.size()));
     stream_.next_in = reinterpret_cast<Bytef*>(in_.data());
     stream_.avail_in = uInt(file_.gcount());
     return stream_.avail_in > 0;
@@ -80,21 +79,25 @@ class Inflater {
   }
 
   std::ifstream file_;
-  std::uint64_t left_;  ///< bytes that may still be read
   std::vector<char> in_;
   z_stream stream_{};
   bool ended_ = false;
   std::string fault_;
 };
 
-void require_inflated(const std::string& name, const VoxelData& data, std::uint64_t promised) {
+/// Hands the inflated voxels on in blocks, and makes sure that there are `voxel_bytes` of them.
+template <class Sink>
+void inflate_all(const std::string& name, const VoxelData& data, std::uint64_t voxel_bytes, Sink sink) {
+  const std::uint64_t promised = data.skip + voxel_bytes;
   std::uint64_t held = 0;
   std::vector<char> block(block_size);
   for (const fs::path& path : data.files) {
-    Inflater inflater(path, data.offset, data.length);
+    Inflater inflater(path, data.offset);
     std::size_t got = 0;
     do {
       got = inflater.read(block);
+      const std::uint64_t before = held < data.skip ? std::min<std::uint64_t>(data.skip - held, got) : 0;
+      sink(std::span<const char>(block).first(got).subspan(before));
       held += got;
     } while (got == block.size() && held <= promised + block_size);
     if (!inflater.fault().empty()) {
@@ -145,7 +148,7 @@ void require_room(const std::string& name, const VoxelData& data, std::uint64_t 
 
 void require_all(const std::string& name, const VoxelData& data, std::uint64_t values,
                  std::uint64_t value_size) {
-  if (data.encoding == Encoding::deflate) require_inflated(name, data, values * value_size + data.skip);
+  if (data.encoding == Encoding::deflate) inflate_all(name, data, values * value_size, [](auto) {});
   if (data.encoding == Encoding::decimal) {
     std::uint64_t held = 0;
     for (const fs::path& path : data.files) held += count_numbers(path, data.offset);
@@ -153,11 +156,20 @@ void require_all(const std::string& name, const VoxelData& data, std::uint64_t v
   }
 }
 
+void inflate_voxels(const std::string& name, const VoxelData& data, std::span<std::byte> out) {
+  std::size_t done = 0;
+  inflate_all(name, data, out.size(), [&](std::span<const char> block) {
+    const std::size_t size = std::min(block.size(), out.size() - done);
+    if (size > 0) std::memcpy(out.data() + done, block.data(), size);
+    done += size;
+  });
+}
+
 std::string read_head(const fs::path& path, std::size_t size, bool inflate) {
   std::string head(size, '\0');
   std::size_t got = 0;
   if (inflate) {
-    got = Inflater(path, 0, fs::file_size(path)).read(head);
+    got = Inflater(path, 0).read(head);
   } else {
     std::ifstream file(path, std::ios::binary);
     file.read(head.data(), std::streamsize(size));

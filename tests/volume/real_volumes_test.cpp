@@ -70,6 +70,8 @@ TEST_F(RealVolumes, AreReadAsTheyAreKnown) {
     EXPECT_EQ(volume.statistics.nan_count + volume.statistics.inf_count, 0u);
     EXPECT_EQ(volume.note, "");
   }
+  // Its header's CompressedDataSize is too small by 2067 bytes, which hold the last megabyte.
+  EXPECT_NEAR(load_volume(path("frogtissue.mhd")).statistics.mean, 0.384213767, 1e-8);
   const Volume lung = load_volume(path("3DCT_lung_baseline_small.mha"));
   EXPECT_LT(glm::distance(lung.grid.origin, glm::dvec3(-152.461, -148.986, -1432)), 1e-9);
 }
