@@ -6,7 +6,6 @@
 #include <itkNrrdImageIO.h>
 #include <itkVTKImageIO.h>
 
-#include <bit>
 #include <limits>
 #include <span>
 
@@ -78,8 +77,7 @@ void read_voxels(const std::string& name, itk::ImageIOBase& io, const FileHeader
                  std::size_t value_size, std::span<std::byte> out) {
   if (header.inflate_here) {
     inflate_voxels(name, header.data, out);
-    const bool big_endian = io.GetByteOrder() == itk::CommonEnums::IOByteOrder::BigEndian;
-    if (big_endian != (std::endian::native == std::endian::big)) swap_bytes(out, value_size);
+    if (*header.inflate_here != std::endian::native) swap_bytes(out, value_size);
     return;
   }
   itk::ImageIORegion all(io.GetNumberOfDimensions());
