@@ -69,7 +69,7 @@ FileHeader read_nifti_header(const fs::path& path) {
       throw Error(fmt::format("{}: vox_offset {} is not a place in the file", name, begin));
     }
     FileHeader header;
-    header.data = {{path}, 0, compressed ? Encoding::deflate : Encoding::raw, 0};
+    header.data = {{path}, 0, compressed ? Encoding::deflate : Encoding::raw};
     header.data.skip = std::max(std::uint64_t(begin), std::uint64_t(header_size));
     header.stored_type = nifti_type(value_at<std::int16_t>(head, datatype, swapped));
     const LinearMap scaling{value_at<float>(head, slope, swapped), value_at<float>(head, intercept, swapped)};
@@ -95,7 +95,7 @@ FileHeader read_mrc_header(const fs::path& path) {
                             integer(0), integer(4), integer(8), integer(mode)));
   }
   FileHeader header;
-  header.data = {{path}, header_size + std::uint64_t(integer(extended_size)), Encoding::raw, 0};
+  header.data = {{path}, header_size + std::uint64_t(integer(extended_size)), Encoding::raw};
   // Mode 0 is signed since MRC2014; IMOD says which in a flag of its own.
   const bool is_signed =
       integer(imod_stamp) == imod ? (integer(imod_flags) & 1) != 0 : integer(version) >= 20140;

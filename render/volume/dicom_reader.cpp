@@ -28,9 +28,10 @@ itk::GDCMImageIO::Pointer open(const std::string& file) {
   io->SetFileName(file);
   with_itk(file, [&] { io->ReadImageInformation(); });
   const std::uint64_t value_size = size_of(scalar_type(file, io->GetInternalComponentType()));
+  constexpr std::uint64_t longest_axis = 1u << 16;  // the product cannot overflow
   std::uint64_t promised = value_size * io->GetNumberOfComponents();
   for (unsigned axis = 0; axis < 3; ++axis)
-    promised *= std::min<std::uint64_t>(io->GetDimensions(axis), 1u << 16);
+    promised *= std::min<std::uint64_t>(io->GetDimensions(axis), longest_axis);
   if (structure.pixel_bytes && *structure.pixel_bytes < promised) {
     throw Error(fmt::format("{}: the header promises {} bytes of pixels, and the file has {}", file, promised,
                             *structure.pixel_bytes));

@@ -16,7 +16,7 @@ struct DicomStructure {
 /// Whether the file begins as DICOM files do.
 bool is_dicom(const std::filesystem::path& path);
 
-/// Goes through the elements up to the pixels' end. Throws Error when the file ends before they do.
+/// Goes through the elements to the file's end. Throws Error when they are damaged, or it ends within one.
 DicomStructure read_dicom_structure(const std::filesystem::path& path);
 
 }  // namespace crest

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
+#include <optional>
 #include <sstream>
 
 #include "presets/error.h"
@@ -41,31 +41,56 @@ std::vector<std::string> words(std::string_view text) {
   return result;
 }
 
+std::string one_line(std::string_view text) {
+  std::string line(trim(text));
+  std::ranges::replace_if(
+      line, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return line;
+}
+
+namespace {
+
+/// A name with one number in it, as printf would write it: "slice.%03d".
+struct NumberedName {
+  std::string before, after;
+  std::size_t width = 0;
+  bool zeros = false;
+
+  std::string at(std::int64_t number) const {
+    std::string digits = std::to_string(number);
+    if (digits.size() < width) digits.insert(0, width - digits.size(), zeros ? '0' : ' ');
+    return before + digits + after;
+  }
+};
+
+std::optional<NumberedName> parse_numbered_name(const std::string& text) {
+  const std::size_t percent = text.find('%'), end = text.find_first_not_of("0123456789", percent + 1);
+  if (percent == std::string::npos || end == std::string::npos || (text[end] != 'd' && text[end] != 'u')) {
+    return std::nullopt;
+  }
+  const std::string width = text.substr(percent + 1, end - percent - 1);
+  if (width.size() > 2 || text.find('%', end) != std::string::npos) return std::nullopt;
+  return NumberedName{text.substr(0, percent), text.substr(end + 1), width.empty() ? 0 : std::stoul(width),
+                      width.starts_with('0')};
+}
+
+}  // namespace
+
 std::vector<std::filesystem::path> files_of_pattern(std::string_view name,
                                                     const std::filesystem::path& folder,
                                                     const std::vector<std::string>& parts) {
   constexpr std::int64_t most_files = 1 << 20;
-  static const std::regex pattern(R"(([^%]*)%(0?)(\d{0,2})[du]([^%]*))");
-  std::smatch match;
-  std::int64_t numbers[3] = {0, 0, 1};
-  bool good = parts.size() >= 3 && std::regex_match(parts[0], match, pattern);
-  for (std::size_t i = 0; good && i < std::min<std::size_t>(parts.size() - 1, 3); ++i) {
-    const auto number = to_integer(parts[i + 1]);
-    good = number && std::abs(*number) <= most_files;
-    if (good) numbers[i] = *number;
-  }
-  const auto [first, last, step] = numbers;
-  if (!good || step == 0 || (last - first) / step < 0) {
+  const auto number = [&](std::size_t i) { return i < parts.size() ? to_integer(parts[i]) : std::nullopt; };
+  const auto pattern = parts.empty() ? std::nullopt : parse_numbered_name(parts[0]);
+  const auto first = number(1), last = number(2), step = parts.size() > 3 ? number(3) : 1;
+  const auto fits = [](std::optional<std::int64_t> n) { return n && std::abs(*n) <= most_files; };
+  if (!pattern || !fits(first) || !fits(last) || !fits(step) || *step == 0) {
     throw Error(fmt::format("{}: its voxel files \"{}\" are not like \"slice.%03d 1 93 1\"", name,
                             fmt::join(parts, " ")));
   }
-  const int width = match[3].length() > 0 ? std::stoi(match[3]) : 0;
   std::vector<std::filesystem::path> files;
-  for (std::int64_t i = first; step > 0 ? i <= last : i >= last; i += step) {
-    const std::string number =
-        match[2].length() > 0 ? fmt::format("{:0{}}", i, width) : fmt::format("{:{}}", i, width);
-    files.push_back(folder / (match[1].str() + number + match[4].str()));
-  }
+  for (std::int64_t i = *first; *step > 0 ? i <= *last : i >= *last; i += *step)
+    files.push_back(folder / pattern->at(i));
   return files;
 }
 

@@ -29,6 +29,9 @@ std::string_view trim(std::string_view text);
 std::string lower(std::string_view text);
 std::vector<std::string> words(std::string_view text);
 
+/// A library's message with its line ends and tabs as spaces.
+std::string one_line(std::string_view text);
+
 /// The files that "slice.%03d 1 93 1" (a printf pattern, first, last, step) names, in `folder`. Throws Error,
 /// which begins with `name`, for a pattern that is not that.
 std::vector<std::filesystem::path> files_of_pattern(std::string_view name,

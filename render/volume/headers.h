@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,7 +15,10 @@ namespace crest {
 struct FileHeader {
   VoxelData data;
   std::optional<ScalarType> stored_type;  ///< of the voxels, where ITK may tell another
-  LinearMap scaling;                      ///< from the stored values to the volume's
+  /// Compressed MetaImage is inflated here, because MetaIO goes by a CompressedDataSize that is wrong in real
+  /// files and drops the rest; in this byte order.
+  std::optional<std::endian> inflate_here;
+  LinearMap scaling;  ///< from the stored values to the volume's
 };
 
 // Each throws Error when the file is not of the format, or not in a form that can be read.

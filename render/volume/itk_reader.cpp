@@ -6,7 +6,8 @@
 #include <itkNrrdImageIO.h>
 #include <itkVTKImageIO.h>
 
-#include <cmath>
+#include <limits>
+#include <span>
 
 #include "presets/error.h"
 #include "render/volume/convert.h"
@@ -71,25 +72,35 @@ void require_countable(const std::string& name, const Selection& s, std::uint64_
   }
 }
 
-/// Reads all of the file and keeps the selection. Plain float32 is read in place.
-std::vector<float> read_values(const std::string& name, itk::ImageIOBase& io, const Selection& selection,
-                               ScalarType type, LinearMap scaling) {
+/// All of the file's voxels, in the machine's byte order.
+void read_voxels(const std::string& name, itk::ImageIOBase& io, const FileHeader& header,
+                 std::size_t value_size, std::span<std::byte> out) {
+  if (header.inflate_here) {
+    inflate_voxels(name, header.data, out);
+    if (*header.inflate_here != std::endian::native) swap_bytes(out, value_size);
+    return;
+  }
   itk::ImageIORegion all(io.GetNumberOfDimensions());
   for (unsigned axis = 0; axis < io.GetNumberOfDimensions(); ++axis)
     all.SetSize(axis, io.GetDimensions(axis));
   io.SetIORegion(all);
+  with_itk(name, [&] { io.Read(out.data()); });
+}
 
+/// Reads all of the file and keeps the selection. Plain float32 is read in place.
+std::vector<float> read_values(const std::string& name, itk::ImageIOBase& io, const FileHeader& header,
+                               const Selection& selection, ScalarType type) {
   const std::size_t points = selection.dims.x * selection.dims.y * selection.dims.z;
   std::vector<float> values(points);
-  if (type == ScalarType::float32 && selection.stored_values() == points && scaling == LinearMap()) {
-    with_itk(name, [&] { io.Read(values.data()); });
+  if (type == ScalarType::float32 && selection.stored_values() == points && header.scaling == LinearMap()) {
+    read_voxels(name, io, header, size_of(type), std::as_writable_bytes(std::span(values)));
     return values;
   }
   std::vector<std::byte> bytes(selection.stored_values() * size_of(type));
-  with_itk(name, [&] { io.Read(bytes.data()); });
+  read_voxels(name, io, header, size_of(type), bytes);
   const std::size_t first = selection.frame * points * selection.components + selection.component;
   convert_to_float(std::span(bytes).subspan(first * size_of(type)), type, selection.components, values,
-                   scaling);
+                   header.scaling);
   return values;
 }
 
@@ -114,7 +125,7 @@ Volume read(const Request& request, itk::ImageIOBase& io, FileHeader header, std
   require_room(name, header.data, values, size_of(type));
   require_memory(name, selection.dims, selection.components * selection.frames * size_of(type) * copies,
                  request.memory);
-  require_all(name, header.data, values, size_of(type));
+  if (!header.inflate_here) require_all(name, header.data, values, size_of(type));
 
   Volume volume;
   volume.file_type = type;
@@ -125,7 +136,7 @@ Volume read(const Request& request, itk::ImageIOBase& io, FileHeader header, std
   }
   volume.grid.dims = glm::ivec3(selection.dims);
   take_geometry(io, volume);
-  volume.values = read_values(name, io, selection, type, header.scaling);
+  volume.values = read_values(name, io, header, selection, type);
   return volume;
 }
 

@@ -1,67 +1,32 @@
 #include "render/volume/itk_support.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cstdio>
-#include <iostream>
-#include <mutex>
+#include <algorithm>
 #include <new>
 
 #include "presets/error.h"
 #include "render/volume/header_text.h"
+#include "render/volume/silence.h"
 
 namespace crest {
 namespace {
 
-/// Sends stderr to /dev/null for as long as this lives: NIfTI's and MetaIO's readers, GDCM and ITK itself
-/// each print on it in a way of their own.
-class Silence {
- public:
-  Silence() : kept_(dup(STDERR_FILENO)) {
-    flush();
-    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (kept_ >= 0 && nowhere >= 0) dup2(nowhere, STDERR_FILENO);
-    if (nowhere >= 0) close(nowhere);
-  }
-  ~Silence() {
-    flush();
-    if (kept_ < 0) return;
-    dup2(kept_, STDERR_FILENO);
-    close(kept_);
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  static void flush() {
-    std::cerr.flush();
-    std::fflush(stderr);
-  }
-  int kept_;
-};
-
-/// An exception's text in one line, without the object that ITK begins it with.
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
-  }
+/// An exception's text without the object that ITK begins it with.
+std::string without_object(std::string text) {
   const std::size_t object = text.find("): ");
   if (text.starts_with("ITK ERROR") && object != std::string::npos) text.erase(0, object + 3);
-  return std::string(trim(text));
+  return one_line(text);
 }
 
 }  // namespace
 
 void with_itk(const std::string& name, const std::function<void()>& work) {
-  static std::mutex one_at_a_time;  // stderr is the process's
-  const std::lock_guard lock(one_at_a_time);
   const Silence silence;
   try {
     work();
   } catch (const itk::ExceptionObject& e) {
-    throw Error(fmt::format("{}: it could not be read: {}", name, one_line(e.GetDescription())));
+    throw Error(fmt::format("{}: it could not be read: {}", name, without_object(e.GetDescription())));
   } catch (const std::bad_alloc&) {
     throw Error(fmt::format("{}: reading it takes more memory than there is", name));
   } catch (const std::exception& e) {

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <new>
 
 #include "presets/error.h"
 #include "render/volume/builtin.h"
@@ -86,6 +87,17 @@ Volume read_file_or_folder(const Request& request) {
                   name, known));
 }
 
+/// With what the standard library throws (no permission for a folder, no memory after all) as Errors.
+Volume guarded(const Request& request) {
+  try {
+    return read_file_or_folder(request);
+  } catch (const fs::filesystem_error& fault) {
+    throw Error(fmt::format("{}: {}", request.name(), fault.code().message()));
+  } catch (const std::bad_alloc&) {
+    throw Error(fmt::format("{}: reading it takes more memory than there is", request.name()));
+  }
+}
+
 /// Makes the geometry one that the renderer can use, and says so in the note.
 void repair_geometry(Volume& volume) {
   const auto add_note = [&](const std::string& text) {
@@ -126,7 +138,7 @@ std::vector<VolumeFormat> volume_formats() {
 Volume load_volume(const std::string& source, std::uint64_t memory) {
   if (source.starts_with(builtin_prefix)) return make_builtin(source.substr(builtin_prefix.size()), memory);
   const auto [path, query] = split_source(source);
-  Volume volume = read_file_or_folder({path, parse_query(path.string(), query), memory});
+  Volume volume = guarded({path, parse_query(path.string(), query), memory});
   repair_geometry(volume);
   volume.name = path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
   volume.statistics = compute_statistics(volume.values);

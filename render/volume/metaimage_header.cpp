@@ -87,15 +87,16 @@ FileHeader read_metaimage_header(const fs::path& path) {
   FileHeader header;
   header.data.files = voxel_files(name, path, text);
   const bool local = header.data.files == std::vector{path};
-  const bool compressed = is_true(text, "CompressedData", false);
-  if (compressed) header.data.encoding = Encoding::deflate;
+  if (is_true(text, "CompressedData", false)) header.data.encoding = Encoding::deflate;
   if (!is_true(text, "BinaryData", true)) header.data.encoding = Encoding::decimal;
   if (local) header.data.offset = text.end;
   const std::int64_t skip = integer_of(name, text, "HeaderSize", 0, -1, most_bytes);
   if (skip > 0) header.data.offset = std::uint64_t(skip);
-  const std::int64_t promised = integer_of(name, text, "CompressedDataSize", 0, 0, most_bytes);
-  if (compressed)
-    require_room(name, {header.data.files, header.data.offset, Encoding::raw, 0}, std::uint64_t(promised), 1);
+  if (header.data.encoding == Encoding::deflate) {
+    const bool big_endian =
+        is_true(text, "BinaryDataByteOrderMSB", is_true(text, "ElementByteOrderMSB", false));
+    header.inflate_here = big_endian ? std::endian::big : std::endian::little;
+  }
   return header;
 }
 

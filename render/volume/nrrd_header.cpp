@@ -112,6 +112,14 @@ FileHeader read_nrrd_header(const fs::path& path) {
   for (const char* key : {"type", "dimension", "sizes", "encoding"}) {
     if (!text.fields.contains(key)) throw Error(fmt::format("{}: the NRRD header has no \"{}\"", name, key));
   }
+  const bool has_space = text.fields.contains("space") || text.fields.contains("space dimension");
+  const auto kinds = text.fields.find("kinds");
+  if (has_space && kinds != text.fields.end() && lower(kinds->second).find("time") != std::string::npos) {
+    throw Error(fmt::format(
+        "{}: a time axis beside a space is not read: without the lines that begin with \"space\", "
+        "?frame=0 takes the first frame",
+        name));
+  }
   FileHeader header;
   header.data.encoding = encoding_of(name, text.fields.at("encoding"));
   if (text.attached) {

@@ -4,22 +4,11 @@
 
 #include <charconv>
 #include <cmath>
-#include <vector>
 
 #include "presets/error.h"
 
 namespace crest {
 namespace {
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t at = text.find(separator);
-    parts.push_back(text.substr(0, at));
-    if (at == std::string_view::npos) return parts;
-    text.remove_prefix(at + 1);
-  }
-}
 
 template <class T>
 std::optional<T> parse(std::string_view text) {
@@ -30,6 +19,16 @@ std::optional<T> parse(std::string_view text) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t at = text.find(separator);
+    parts.push_back(text.substr(0, at));
+    if (at == std::string_view::npos) return parts;
+    text.remove_prefix(at + 1);
+  }
+}
 
 Query parse_query(std::string_view name, std::string_view text) {
   Query query;

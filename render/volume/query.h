@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace crest {
 
@@ -16,6 +18,9 @@ Query parse_query(std::string_view name, std::string_view text);
 
 /// Throws Error for a key of `query` that is not one of `known` (comma-separated).
 void require_known_keys(std::string_view name, const Query& query, std::string_view known);
+
+/// The parts between separators: at least one, and they may be empty.
+std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// Whole texts as numbers; nothing when they are not that, or not finite.
 std::optional<double> to_number(std::string_view text);

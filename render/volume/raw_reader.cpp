@@ -5,7 +5,7 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <regex>
+#include <optional>
 
 #include "presets/atomic_file.h"
 #include "presets/error.h"
@@ -20,12 +20,33 @@ constexpr std::string_view keys = "size,type,spacing,origin,endian,offset";
 constexpr std::string_view hint =
     "say them as ?size=AxBxC&type=uint8, in a sidecar NAME.raw.json, or in the name (name_AxBxC_uint8.raw)";
 
+std::optional<glm::u64vec3> to_size(std::string_view text) {
+  const auto parts = split(text, 'x');
+  if (parts.size() != 3) return std::nullopt;
+  glm::u64vec3 size;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto points = to_integer(parts[std::size_t(axis)]);
+    if (!points || *points < 0) return std::nullopt;
+    size[axis] = std::uint64_t(*points);
+  }
+  return size;
+}
+
+std::optional<ScalarType> to_type(std::string_view text) {
+  using enum ScalarType;
+  for (const ScalarType type : {uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64}) {
+    if (text == name_of(type)) return type;
+  }
+  return std::nullopt;
+}
+
 /// What a name in the manner of Open SciVis says: name_256x256x256_uint8.raw.
 Query query_from_name(const std::string& stem) {
-  static const std::regex pattern(R"(_(\d+x\d+x\d+)_(u?int(?:8|16|32|64)|float(?:32|64))$)");
-  std::smatch match;
-  if (!std::regex_search(stem, match, pattern)) return {};
-  return {{"size", match[1]}, {"type", match[2]}};
+  const auto parts = split(stem, '_');
+  if (parts.size() < 2) return {};
+  const std::string_view size = parts[parts.size() - 2], type = parts.back();
+  if (!to_size(size) || !to_type(type)) return {};
+  return {{"size", std::string(size)}, {"type", std::string(type)}};
 }
 
 /// A sidecar's value as the query would have it: "64x64x93", [64, 64, 93], "uint8", 16.
@@ -33,7 +54,10 @@ std::string as_query_text(const nlohmann::json& value, std::string_view separato
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return value.dump();
   std::string text;
-  for (const auto& item : value) text += (text.empty() ? "" : std::string(separator)) + item.dump();
+  for (const auto& item : value) {
+    if (!text.empty()) text += separator;
+    text += item.dump();
+  }
   return text;
 }
 
@@ -65,21 +89,14 @@ const std::string* find(const Query& query, std::string_view key) {
 glm::u64vec3 parse_size(const std::string& name, const Query& query) {
   const std::string* text = find(query, "size");
   if (!text) throw Error(fmt::format("{}: raw voxels of unknown size; {}", name, hint));
-  static const std::regex pattern(R"((\d{1,18})x(\d{1,18})x(\d{1,18}))");
-  std::smatch match;
-  if (!std::regex_match(*text, match, pattern)) {
-    throw Error(fmt::format("{}: size={} is not like 256x256x128", name, *text));
-  }
-  return {std::stoull(match[1]), std::stoull(match[2]), std::stoull(match[3])};
+  if (const auto size = to_size(*text)) return *size;
+  throw Error(fmt::format("{}: size={} is not like 256x256x128", name, *text));
 }
 
 ScalarType parse_type(const std::string& name, const Query& query) {
-  using enum ScalarType;
   const std::string* text = find(query, "type");
   if (!text) throw Error(fmt::format("{}: raw voxels of unknown type; {}", name, hint));
-  for (const ScalarType type : {uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64}) {
-    if (*text == name_of(type)) return type;
-  }
+  if (const auto type = to_type(*text)) return *type;
   throw Error(fmt::format("{}: type={} is not one of uint8, int8 ... int64, float32, float64", name, *text));
 }
 

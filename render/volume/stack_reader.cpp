@@ -6,8 +6,10 @@
 
 #include "presets/error.h"
 #include "render/volume/convert.h"
+#include "render/volume/header_text.h"
 #include "render/volume/memory.h"
 #include "render/volume/readers.h"
+#include "render/volume/silence.h"
 
 namespace crest {
 namespace {
@@ -60,7 +62,7 @@ std::unique_ptr<OIIO::ImageInput> open(const fs::path& file) {
   auto input = OIIO::ImageInput::create(extension_of(file).substr(1));
   if (input && input->open(file.string(), spec, as_stored)) return input;
   throw Error(fmt::format("{}: not an image that can be read: {}", file.string(),
-                          input ? input->geterror() : OIIO::geterror()));
+                          one_line(input ? input->geterror() : OIIO::geterror())));
 }
 
 /// The type that its values are read as; half floats are read as float32.
@@ -126,6 +128,7 @@ glm::dvec3 vector_of(const Request& request, std::string_view key, glm::dvec3 fa
 
 Volume read_pages(const Request& request, const std::vector<Page>& pages) {
   require_known_keys(request.name(), request.query, keys);
+  const Silence silence;
   auto input = open(pages.front().file);
   const OIIO::ImageSpec first = input->spec();
   const std::size_t channel = channel_of(request, first);
@@ -149,7 +152,7 @@ Volume read_pages(const Request& request, const std::vector<Page>& pages) {
     require_alike(page, input->spec(page.subimage), first);
     if (!input->read_image(page.subimage, 0, 0, first.nchannels, read_as, bytes.data())) {
       throw Error(fmt::format("{}: image {} could not be read: {}", page.file.string(), page.subimage + 1,
-                              input->geterror()));
+                              one_line(input->geterror())));
     }
     convert_to_float(std::span(bytes).subspan(channel * size_of(type)), type, channels,
                      std::span(volume.values).subspan(k * points, points));
@@ -165,8 +168,8 @@ bool has_images(const fs::path& folder) {
 }
 
 Volume read_image_pages(const Request& request) {
-  const auto input = open(request.path);
   std::vector<Page> pages;
+  const auto input = open(request.path);
   while (input->seek_subimage(int(pages.size()), 0)) pages.push_back({request.path, int(pages.size())});
   if (pages.size() < 2) {
     throw Error(

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 #include <fstream>
 #include <span>
 
@@ -84,7 +85,10 @@ class Inflater {
   std::string fault_;
 };
 
-void require_inflated(const std::string& name, const VoxelData& data, std::uint64_t promised) {
+/// Hands the inflated voxels on in blocks, and makes sure that there are `voxel_bytes` of them.
+template <class Sink>
+void inflate_all(const std::string& name, const VoxelData& data, std::uint64_t voxel_bytes, Sink sink) {
+  const std::uint64_t promised = data.skip + voxel_bytes;
   std::uint64_t held = 0;
   std::vector<char> block(block_size);
   for (const fs::path& path : data.files) {
@@ -92,6 +96,8 @@ void require_inflated(const std::string& name, const VoxelData& data, std::uint6
     std::size_t got = 0;
     do {
       got = inflater.read(block);
+      const std::uint64_t before = held < data.skip ? std::min<std::uint64_t>(data.skip - held, got) : 0;
+      sink(std::span<const char>(block).first(got).subspan(before));
       held += got;
     } while (got == block.size() && held <= promised + block_size);
     if (!inflater.fault().empty()) {
@@ -142,12 +148,21 @@ void require_room(const std::string& name, const VoxelData& data, std::uint64_t 
 
 void require_all(const std::string& name, const VoxelData& data, std::uint64_t values,
                  std::uint64_t value_size) {
-  if (data.encoding == Encoding::deflate) require_inflated(name, data, values * value_size + data.skip);
+  if (data.encoding == Encoding::deflate) inflate_all(name, data, values * value_size, [](auto) {});
   if (data.encoding == Encoding::decimal) {
     std::uint64_t held = 0;
     for (const fs::path& path : data.files) held += count_numbers(path, data.offset);
     if (held < values) throw_short(name, data, values, held, "numbers");
   }
+}
+
+void inflate_voxels(const std::string& name, const VoxelData& data, std::span<std::byte> out) {
+  std::size_t done = 0;
+  inflate_all(name, data, out.size(), [&](std::span<const char> block) {
+    const std::size_t size = std::min(block.size(), out.size() - done);
+    if (size > 0) std::memcpy(out.data() + done, block.data(), size);
+    done += size;
+  });
 }
 
 std::string read_head(const fs::path& path, std::size_t size, bool inflate) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,7 +16,7 @@ enum class Encoding { raw, deflate, decimal, hexadecimal };
 
 /// Where a header says its voxels are: one after another in `files`, each from `offset` on.
 struct VoxelData {
-  std::vector<std::filesystem::path> files;
+  std::vector<std::filesystem::path> files = {};
   std::uint64_t offset = 0;
   Encoding encoding = Encoding::raw;
   std::uint64_t skip = 0;  ///< bytes before the voxels, counted in the inflated stream
@@ -28,6 +30,10 @@ void require_room(const std::string& name, const VoxelData& data, std::uint64_t 
 /// The same to the last byte: inflates (and drops) compressed data, to its checksum, and counts what is text.
 void require_all(const std::string& name, const VoxelData& data, std::uint64_t values,
                  std::uint64_t value_size);
+
+/// Inflates the voxels into `out`, in their own byte order. Throws Error, which begins with `name`, when the
+/// stream is damaged or does not hold them all.
+void inflate_voxels(const std::string& name, const VoxelData& data, std::span<std::byte> out);
 
 /// The first bytes of a file, at most `size`; of a gzip stream, inflated, if `inflate`.
 std::string read_head(const std::filesystem::path& path, std::size_t size, bool inflate = false);

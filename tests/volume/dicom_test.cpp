@@ -3,7 +3,9 @@
 #include <glm/geometric.hpp>
 
 #include "files.h"
+#include "presets/error.h"
 #include "render/volume/load.h"
+#include "render/volume/random.h"
 
 namespace crest::test {
 namespace {
@@ -74,6 +76,26 @@ TEST_F(DicomTest, BadSeriesAreErrors) {
     expect_error(path("s"), {path("s")});
   }
   expect_error(path("s") + "?colour=1", {"colour"});
+}
+
+/// A slice with a few bytes changed is read or refused; it never ends the program.
+TEST_F(DicomTest, DamagedSlicesAreReadOrRefused) {
+  const std::string slice = dicom_slice(4, 3, 1, 2, pixels(0));
+  write("s/1.dcm", dicom_slice(4, 3, 0, 1, pixels(0)));
+  Random random(7);
+  const auto below = [&](std::size_t n) { return std::size_t(random.uniform(0, double(n))); };
+  for (int round = 0; round < 1000; ++round) {
+    std::string damaged = slice;
+    for (std::size_t i = 0, changes = 1 + below(3); i < changes; ++i) {
+      damaged[128 + below(slice.size() - 128)] = char(below(256));
+    }
+    write("s/2.dcm", damaged);
+    try {
+      load_volume(path("s"), 1u << 24);
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "files.h"
 #include "presets/error.h"
 #include "render/volume/load.h"
+#include "render/volume/random.h"
 
 namespace crest::test {
 namespace {
@@ -84,6 +85,26 @@ TEST_P(EveryFormat, HalfOfTheHeaderIsAnError) {
   for (const std::size_t length : {std::size_t(0), std::size_t(3), std::size_t(40), std::size_t(90)}) {
     sample.content.resize(std::min(length, sample.content.size()));
     expect_error(write_sample(sample), {path(sample.name)});
+  }
+}
+
+/// A header with a few bytes changed is read or refused; it never ends the program.
+TEST_P(EveryFormat, DamagedHeadersAreReadOrRefused) {
+  const Sample sample = GetParam().sample(int16, GetParam().orders.front());
+  const std::size_t header = sample.content.size() - (sample.data_name.empty() ? points * 2 : 0);
+  Random random(7);
+  const auto below = [&](std::size_t n) { return std::size_t(random.uniform(0, double(n))); };
+  for (int round = 0; round < 400; ++round) {
+    Sample damaged = sample;
+    for (std::size_t i = 0, changes = 1 + below(3); i < changes; ++i) {
+      damaged.content[below(std::min(header, damaged.content.size()))] =
+          round % 2 == 0 ? char(below(256)) : char('0' + below(10));
+    }
+    try {
+      load_volume(write_sample(damaged), 1u << 24);
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
   }
 }
 

@@ -79,13 +79,13 @@ TEST_F(StackTest, WhatIsNoStackIsSaid) {
 }
 
 TEST_F(StackTest, TruncatedImagesAreErrors) {
-  for (const char* name : {"t.tif", "s/1.png"}) {
-    const std::string file = write_image(name, OIIO::TypeUInt16, 0, 2);
+  for (const char* name : {"t.tif", "s/1.tif"}) {
+    const std::string file = write_image(name, OIIO::TypeUInt16, 0, name[0] == 't' ? 2 : 1, 1, 100);
     std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   }
   expect_error(path("t.tif"), {path("t.tif")});
-  write_image("s/2.png", OIIO::TypeUInt16, 0, 1);
-  expect_error(path("s"), {"1.png"});
+  write_image("s/2.tif", OIIO::TypeUInt16, 0, 1, 1, 100);
+  expect_error(path("s"), {"1.tif"});
 }
 
 TEST_F(StackTest, TooLittleMemoryIsRefused) {

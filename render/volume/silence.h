@@ -1,0 +1,21 @@
+#pragma once
+
+#include <mutex>
+
+namespace crest {
+
+/// Sends stderr to /dev/null for as long as this lives: NIfTI's and MetaIO's readers, GDCM, libpng and ITK
+/// itself each print on it in a way of their own. One thread at a time; the others wait.
+class Silence {
+ public:
+  Silence();
+  ~Silence();
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  std::unique_lock<std::mutex> turn_;
+  int kept_;  ///< where stderr went before
+};
+
+}  // namespace crest

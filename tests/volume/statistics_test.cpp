@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "render/volume/random.h"
+#include "render/volume/volume.h"
+
+namespace crest::test {
+namespace {
+
+TEST(Statistics, OfAFewValues) {
+  const auto s = compute_statistics({1, 2, 3, NAN, 6, INFINITY, -INFINITY, NAN}, 5);
+  EXPECT_EQ(s.range, (ValueRange{1, 6}));
+  EXPECT_EQ(s.mean, 3);
+  EXPECT_EQ(s.variance, 3.5);
+  EXPECT_EQ(s.nan_count, 2u);
+  EXPECT_EQ(s.inf_count, 2u);
+  EXPECT_EQ(s.histogram,
+            (std::vector<std::uint64_t>{1, 1, 1, 0, 1}));  // 6 is in the last bin, which is closed
+}
+
+TEST(Statistics, OfNothingFiniteAndOfOneValue) {
+  const auto none = compute_statistics({NAN, INFINITY}, 3);
+  EXPECT_EQ(none.range, (ValueRange{0, 0}));
+  EXPECT_EQ(none.mean, 0);
+  EXPECT_EQ(none.histogram, (std::vector<std::uint64_t>{0, 0, 0}));
+  EXPECT_EQ(compute_statistics({}, 3).histogram.size(), 3u);
+  const auto flat = compute_statistics({7, 7, 7}, 3);
+  EXPECT_EQ(flat.variance, 0);
+  EXPECT_EQ(flat.histogram, (std::vector<std::uint64_t>{3, 0, 0}));
+}
+
+TEST(Statistics, SmallSpreadOnALargeOffsetIsNotLost) {
+  std::vector<float> values(3'000'001);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1e7f + float(i % 3);
+  const auto s = compute_statistics(values);
+  EXPECT_NEAR(s.mean - 1e7, 1, 1e-6);
+  EXPECT_NEAR(s.variance, 2.0 / 3, 1e-6);
+}
+
+TEST(Statistics, AgreeWithLongDoubleAndRepeatExactly) {
+  std::vector<float> values(1'234'567);
+  Random random(3);
+  for (float& v : values) v = float(std::pow(10, random.uniform(-6, 6)) * random.uniform(-1, 1));
+  long double sum = 0, squares = 0;
+  for (const float v : values) sum += v;
+  const long double mean = sum / values.size();
+  for (const float v : values) squares += (v - mean) * (v - mean);
+  const auto s = compute_statistics(values);
+  EXPECT_NEAR(s.mean, double(mean), 1e-12 * double(std::sqrt(squares / values.size())));
+  EXPECT_NEAR(s.variance / double(squares / values.size()), 1, 1e-13);
+  for (int i = 0; i < 5; ++i) {
+    const auto again = compute_statistics(values);
+    EXPECT_EQ(again.mean, s.mean);
+    EXPECT_EQ(again.variance, s.variance);
+    EXPECT_EQ(again.histogram, s.histogram);
+  }
+}
+
+TEST(Statistics, HistogramOfARangeCountsItClosed) {
+  std::vector<float> values(1000);
+  std::iota(values.begin(), values.end(), 0.f);
+  EXPECT_EQ(histogram_of(values, {100, 200}, 4), (std::vector<std::uint64_t>{25, 25, 25, 26}));
+  EXPECT_EQ(histogram_of(values, {2000, 3000}, 2), (std::vector<std::uint64_t>{0, 0}));
+  EXPECT_EQ(histogram_of({-3e38f, 3e38f}, {-3.1e38, 3.1e38}, 2), (std::vector<std::uint64_t>{1, 1}));
+}
+
+}  // namespace
+}  // namespace crest::test
