@@ -11,18 +11,23 @@ vec4 material_at(Ray ray, float t, float value) {
 #endif
 
 #if DVR && SPLIT
-// What is left of the current segment begins at `done`; the piece of it that holds its sample takes the sample's
-// material, and one that a crossing cut off takes the TF at its middle, between its two knots.
+// The part of the ray that is not composited yet begins at `done`, in the segment of a sample of this material.
 float done;
 vec4 sample_material;
 
-void composite_until(Ray ray, float t, Knot a, Knot b, bool holds_sample) {
-  float size = max(t - done, 0.0), middle = done + 0.5 * size;
-  vec4 material = sample_material;
-  if (!holds_sample && size > 0.0)
-    material = material_at(ray, middle, mix(a.value, b.value, (middle - a.t) / (b.t - a.t)));
-  composite(material.rgb, opacity_of(material.a * size));
-  done = max(done, t);
+// Composites up to a crossing: the piece that holds the sample with the sample's material, to the end of its segment;
+// the rest, or a piece between two crossings, with the TF at its middle, on the line between its two knots.
+void composite_until_hit(Knot from, Knot hit, bool is_first, float boundary, float light_at_hit) {
+  if (is_first) {
+    float end = min(boundary, hit.t);
+    composite(sample_material.rgb, opacity_of(sample_material.a * max(end - done, 0.0)));
+    done = max(done, end);
+  }
+  float size = max(hit.t - done, 0.0);
+  float place = clamp((hit.t - 0.5 * size - from.t) / max(hit.t - from.t, 1.0e-30), 0.0, 1.0);
+  vec4 material = classify(mix(from.value, hit.value, place));
+  composite(material.rgb * light_at_hit, opacity_of(material.a * size));
+  done = max(done, hit.t);
 }
 #endif
 
@@ -46,59 +51,74 @@ bool find_extremum(Ray ray, Interval now, out Knot extremum) {
 }
 #endif
 
-// Composites the crossings between knots a and b of an interval in their order, with the pieces of the segments
-// between them. `from` is the last knot before them, `found` counts the crossings.
-void composite_crossings(Ray ray, Interval interval, float before, Knot a, Knot b, inout Knot from, inout int found) {
-  bool rising = b.value >= a.value;
+// The peaks that may be crossed between two knots, in the order in which they would be met.
+struct Candidates {
   uint first, count;
-  find_candidates(min(a.value, b.value), max(a.value, b.value), first, count);
-  for (uint k = 0u; k < count && found < max_peaks; ++k) {
-    Peak peak = peaks[first + (rising ? k : count - 1u - k)];
-    if (!crosses(peak.value, before, a.value, b.value)) continue;
-    Knot bracket = a;
-    if (from.t > a.t) bracket = from;
-    Knot hit = Knot(solve(ray, bracket, b, peak.value), peak.value);
-#if DVR && SPLIT
-    composite_until(ray, min(interval.boundary, hit.t), from, hit, found == 0);
-    composite_until(ray, hit.t, from, hit, false);
-#endif
-    composite(peak.color_opacity.rgb * LIGHT(hit.t), peak.color_opacity.a);
-    COUNT_CROSSING;
-    from = hit;
-    ++found;
-  }
+  bool rising;
+};
+
+Candidates candidates_between(Knot a, Knot b) {
+  Candidates c;
+  find_candidates(min(a.value, b.value), max(a.value, b.value), c.first, c.count);
+  c.rising = b.value >= a.value;
+  return c;
 }
 
-// All crossings of an interval, up to the end of its first sample's segment. A surface that is entered and left again
-// within one step shows only at an extremum between the samples. Whether there was a crossing; `before` is then the
-// value before b.
-bool composite_interval(Ray ray, Interval interval, out float before) {
-  Knot from = interval.a, a = interval.a, middle = interval.b;
-  int found = 0, parts = 1;
-  before = interval.before;
+Peak peak_at(Candidates c, uint k) { return peaks[c.first + (c.rising ? k : c.count - 1u - k)]; }
+
+// The first candidate from the k-th that is crossed; their count when there is none.
+uint next_crossed(Candidates c, uint k, float before, Knot a, Knot b) {
+  while (k < c.count && !crosses(peak_at(c, k).value, before, a.value, b.value)) ++k;
+  return k;
+}
+
+// Composites all crossings of an interval in their order, each with what lies before it. A surface that is entered and
+// left again within one step shows only at an extremum between the samples, which makes two parts of the interval.
+// Whether there was a crossing; `before` is then the value before b. (On SIMD hardware a round of the loop costs all
+// lanes the same: there is one a crossing, and one where there is none.)
+bool composite_interval(Ray ray, Interval now, out float before) {
+  Knot from = now.a, a = now.a, b = now.b;
+  bool parts_left = false;
 #if EXTREMA
-  Knot extremum;
-  if (find_extremum(ray, interval, extremum)) {
-    middle = extremum;
-    parts = 2;
-  }
+  parts_left = find_extremum(ray, now, b);
+  if (!parts_left) b = now.b;
 #endif
-  for (int part = 0; part < parts; ++part) {
-    composite_crossings(ray, interval, before, a, middle, from, found);
+  before = now.before;
+  Candidates candidates = candidates_between(a, b);
+  uint k = next_crossed(candidates, 0u, before, a, b);
+  int found = 0;
+  bool again;
+  do {
+    if (k < candidates.count) {
+      Peak peak = peak_at(candidates, k);
+      Knot bracket = a;
+      if (from.t > a.t) bracket = from;
+      Knot hit = Knot(solve(ray, bracket, b, peak.value), peak.value);
+      float light_at_hit = LIGHT(hit.t);
 #if DVR && SPLIT
-    if (found > 0) {
-      composite_until(ray, min(interval.boundary, middle.t), from, middle, false);
-      if (part + 1 < parts) composite_until(ray, middle.t, from, middle, false);
+      composite_until_hit(from, hit, found == 0, now.boundary, light_at_hit);
+#endif
+      composite(peak.color_opacity.rgb * light_at_hit, peak.color_opacity.a);
+      COUNT_CROSSING;
+      from = hit;
+      ++found;
+      k = next_crossed(candidates, k + 1u, before, a, b);
+    }
+    again = k < candidates.count && found < max_peaks;
+#if EXTREMA
+    if (!again && parts_left) {
+      parts_left = false;
+      if (found > 0) from = b;
+      before = a.value;
+      a = b;
+      b = now.b;
+      candidates = candidates_between(a, b);
+      k = next_crossed(candidates, 0u, before, a, b);
+      again = k < candidates.count && found < max_peaks;
     }
 #endif
-    if (found > 0) from = middle;
-    before = a.value;
-    a = middle;
-    middle = interval.b;
-  }
-#if DVR && SPLIT
-  composite_until(ray, interval.boundary, interval.a, interval.b, found == 0);
-#endif
+  } while (again);
+  before = a.value;
   return found > 0;
 }
 
@@ -116,10 +136,9 @@ float least_between(float f0, float f1, float f2, float f3) { return min(f1, f2)
 float most_between(float f0, float f1, float f2, float f3) { return max(f1, f2); }
 #endif
 
-// The inner loop composites whole segments; where a crossing, or the begin of a pass, has cut one, the rest of it is
-// kept with `cut`, its interval, and the inner loop is given a thinner material instead.
-// All that outlives the inner loop is carried by it: Mesa 22.3's llvmpipe takes other values that were computed in a
-// loop from the last lane to leave it.
+// The inner loop composites whole segments. A crossing cuts its segment; the next sample's piece then begins at the
+// cut, which is told to the inner loop as that sample's share of a step's extinction. All that outlives the inner loop
+// is carried by it: Mesa 22.3's llvmpipe takes other values that were computed in a loop from its last lane.
 void march(Ray ray, Sampling s, int first, int last) {
   // Take up the march at the knot before the first interval; f0..f3 are the values of four samples in a row
   float t = sample_at(s, first - 1);
@@ -128,23 +147,28 @@ void march(Ray ray, Sampling s, int first, int last) {
   float f0 = first > 0 ? field(at(ray, sample_at(s, first - 2))) : f2;
   float f3 = f2;
   if (first < s.n) f3 = field(at(ray, sample_at(s, first + 1)));
+  float share = 1.0;   // of a step that the next sample stands for
+  int cleared = -1;    // the interval whose crossings were composited
 #if DVR && SPLIT
+  float cut = t;       // where the piece of the sample `cut_sample` begins, which is no whole segment
+  int cut_sample = first - 1;
   vec4 material = first > 0 ? material_at(ray, t, f1) : vec4(0.0);
-  float rest_begin = t, whole_extinction = material.a;
-  int cut = first - 1;
-  material.a *= 0.5;
+  material.a *= 0.5;   // the pass before ended at the sample
 #endif
 
   int i = first;
   for (;;) {
     while (i < last) {
-      if (may_cross(least_between(f0, f1, f2, f3), most_between(f0, f1, f2, f3))) break;
+      if (may_cross(least_between(f0, f1, f2, f3), most_between(f0, f1, f2, f3)) && i != cleared) break;
 #if DVR && SPLIT
       composite(material.rgb, opacity_of(material.a * s.dt));
       material = material_at(ray, s.span.enter + (float(i) + 0.5) * s.dt, f2);
+      material.a *= share;
+      share = 1.0;
 #elif DVR
       vec4 material = material_at(ray, s.span.enter + (float(i) + 0.5) * s.dt, f2);
-      composite(material.rgb, opacity_of(i < s.n ? material.a * s.dt : 0.0));
+      composite(material.rgb, opacity_of(i < s.n ? material.a * share * s.dt : 0.0));
+      share = 1.0;
 #endif
       f0 = f1;
       f1 = f2;
@@ -158,34 +182,29 @@ void march(Ray ray, Sampling s, int first, int last) {
     Knot a = Knot(sample_at(s, i - 1), f1), b = Knot(sample_at(s, i), f2);
     float boundary = s.span.enter + float(i) * s.dt;
 #if DVR && SPLIT
-    bool is_whole = cut != i - 1;
-    done = is_whole ? boundary - s.dt : rest_begin;
-    sample_material = vec4(material.rgb, is_whole ? material.a : whole_extinction);
+    done = cut_sample == i - 1 ? cut : boundary - s.dt;
+    sample_material = vec4(material.rgb, i > 0 ? material.a * s.dt / (boundary - done) : 0.0);
 #endif
-    bool crossed = composite_interval(ray, Interval(a, b, f0, f3, boundary), f0);
+    bool crossed = composite_interval(ray, Interval(a, b, f0, f3, boundary), f1);
+    cleared = i;
+    if (crossed) {
 #if DVR && SPLIT
-    material = material_at(ray, b.t, f2);
-    rest_begin = done;
-    whole_extinction = material.a;
-    cut = i;
-    material.a *= (boundary + s.dt - done) / s.dt;
-#elif DVR
-    vec4 material = material_at(ray, b.t, f2);
-    bool is_sample = i < s.n && !(EXCLUSIVE != 0 && crossed);
-    composite(material.rgb, opacity_of(is_sample ? material.a * s.dt : 0.0));
+      material.a = 0.0;
+      cut = done;
+      cut_sample = i;
+      share = (boundary + s.dt - done) / s.dt;
+#elif EXCLUSIVE
+      share = 0.0;
 #endif
-    f1 = f2;
-    f2 = f3;
-    ++i;
-    if (i < s.n) f3 = field(at(ray, sample_at(s, i + 1)));
-    if (TERMINATED) i = last;
+      if (TERMINATED) i = last;
+    }
   }
 #if DVR && SPLIT
   // A pass that ends before the ray does ends at a sample; the next one begins there
   if (last <= s.n && !TERMINATED) {
-    t = sample_at(s, last - 1);
-    float size = cut == last - 1 ? t - rest_begin : 0.5 * s.dt;
-    composite(material.rgb, opacity_of((cut == last - 1 ? whole_extinction : material.a) * max(size, 0.0)));
+    float end = s.span.enter + float(last) * s.dt, begin = cut_sample == last - 1 ? cut : end - s.dt;
+    float before_sample = (end - 0.5 * s.dt - begin) / (end - begin);
+    composite(material.rgb, opacity_of(material.a * s.dt * before_sample));
   }
 #endif
 #if STATISTICS && DVR
