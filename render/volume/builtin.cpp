@@ -107,7 +107,7 @@ constexpr Entry entries[] = {
      "n,periods",
      64,
      gyroid},
-    {{"plume", "a turbulent plume that rises along y, over five decades of value",
+    {{"plume", "a turbulent plume that rises along z, over five decades of value",
       "n=128 seed=1 decades=5 turbulence=1"},
      "n,seed,decades,turbulence",
      128,
