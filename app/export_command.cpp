@@ -27,7 +27,7 @@ void export_preset(const ExportCommandOptions& options) {
       preset.name.empty() ? std::filesystem::path(options.preset).stem().string() : preset.name;
   write_file_atomically(options.output, exporter.write(name, tf, options.format_options));
   const std::string losses = exporter.losses(tf, options.format_options);
-  if (!losses.empty()) fmt::print(stderr, "{}\n", losses);
+  fmt::print(stderr, "{}", losses);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "presets/json_text.h"
 #include "presets/preset_file.h"
 #include "render/classify/classification.h"
 #include "render/volume/load.h"
@@ -63,9 +64,7 @@ void print_peaks(const PeaksOptions& options) {
   json["peaks"] = nlohmann::json::array();
   for (const Peak& peak : found.peaks) json["peaks"].push_back(peak_json(peak));
   json["table"] = table_json(found.table, found.surfaces);
-  // One cell a line: 128 bins have thousands
-  std::string text = json.dump(1);
-  fmt::print("{}\n", text);
+  fmt::print("{}", print_json(json));
 }
 
 }  // namespace

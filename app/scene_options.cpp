@@ -40,7 +40,7 @@ void SceneOptions::add_to(CLI::App& app) {
   app.add_option("--fov", fov, "Camera: vertical field of view in degrees")->type_name("DEG");
   app.add_option("--set", sets, "Sets any field of the preset by its JSON path: --set rendering.step=0.5")
       ->type_name("PATH=VALUE")
-      ->take_all();
+      ->allow_extra_args(false);  // one value each: what follows is VOLUME
   app.add_flag("--fit-range", fit_range, "Map the transfer function's span onto the volume's range");
 }
 

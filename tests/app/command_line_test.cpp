@@ -119,6 +119,10 @@ TEST_F(CommandLine, NegativeCoordinatesAreNoOptions) {
 }
 
 TEST_F(CommandLine, FieldsSetByTheirPaths) {
+  EXPECT_EQ(run({"render", "--set", "rendering.step=1", "builtin:sphere?n=8", "--size", "16x16", "-o",
+                 path("a.png"), "--set", "rendering.shading=gradient"})
+                .err,
+            "");
   expect_error(2, render + Words{"--set", "bogus"}, {"--set", "PATH=VALUE"});
   expect_error(2, render + Words{"--set", "rendering.stp=1"}, {"--set", "\"stp\"", "step"});
   expect_error(2, render + Words{"--set", "transfer_function.points[9].opacity=1"}, {"points", "elements"});
