@@ -124,7 +124,7 @@ TEST_F(Picture, AFieldSetIsTheOptionThatSetsIt) {
   output_of(render("a.exr", {"--preset", "onion", "--mode", "PEAK_ONLY", "--step", "0.25"}));
   output_of(render(
       "b.exr", {"--preset", "onion", "--set", "rendering.mode=PEAK_ONLY", "--set", "rendering.step=0.25"}));
-  EXPECT_EQ(content_of(path("a.exr")), content_of(path("b.exr")));
+  EXPECT_TRUE(read_image(path("a.exr")).pixels == read_image(path("b.exr")).pixels);
 }
 
 TEST_F(Picture, FitRangeSpansTheVolume) {
