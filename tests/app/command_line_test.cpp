@@ -87,8 +87,9 @@ TEST_F(CommandLine, Sizes) {
 }
 
 TEST_F(CommandLine, NumbersOfOptions) {
-  expect_error(2, render + Words{"--step", "-1"}, {"--step", "-1 is not greater than 0"});
-  expect_error(2, render + Words{"--step", "0"}, {"--step", "0 is not greater than 0"});
+  expect_error(2, render + Words{"--step", "-1"}, {"--step", "-1 is not at least 0.001"});
+  for (const char* tiny : {"0", "1e-9", "1e-300"})
+    expect_error(2, render + Words{"--step", tiny}, {"--step", "is not at least 0.001"});
   for (const char* text : {"nan", "inf", "fast", "1,5", "0x10"})
     expect_error(2, render + Words{"--step", text}, {"--step", text, "not a number"});
   expect_error(2, render + Words{"--step", "1e999"}, {"--step"});

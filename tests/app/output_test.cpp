@@ -52,6 +52,11 @@ TEST_F(Output, AFullDiskLeavesWhatWasThere) {
   EXPECT_EQ(content_of(path("old.csv")), "as it was");
   expect_error(1, export_to(path("new.csv")), {"new.csv", "too large"}, disk_of(2));
   expect_error(1, export_to("/dev/full"), {"/dev/full", "No space left"});
+  write("old.png", "as it was");
+  expect_error(1, render_to(path("old.png")), {"old.png", "too large"}, disk_of(1));
+  expect_error(1, render_to(path("new.exr")), {"new.exr", "too large"}, disk_of(1));
+  std::filesystem::create_symlink("/dev/full", path("device.png"));
+  expect_error(1, render_to(path("device.png")), {"device.png", "No space left"});
 }
 
 TEST_F(Output, TheSameCommandMakesTheSamePicture) {
