@@ -12,6 +12,8 @@ Features needed_features(const Volume& volume, const Classification& classificat
   features.dvr = rendering.mode != Mode::peak_only;
   features.peaks = wants_peaks && !classification.surfaces.empty();
   features.split = features.peaks && features.dvr && rendering.peak_form == PeakForm::split;
+  features.one_peak = features.peaks && classification.surfaces.size() == 1;
+  features.extrema = features.peaks && rendering.peak_form == PeakForm::split;
   features.exclusive =
       features.peaks && rendering.mode == Mode::peak_xor_dvr && rendering.peak_form == PeakForm::paper;
   // The base TF holds also where no spike's value is in the field's range: its flanks may be.
@@ -32,7 +34,9 @@ std::vector<std::string> shader_defines(const Features& f) {
   add("DVR", f.dvr);
   add("PEAKS", f.peaks);
   add("PEAK_TABLE", f.peak_table);
+  add("ONE_PEAK", f.one_peak);
   add("SPLIT", f.split);
+  add("EXTREMA", f.extrema);
   add("EXCLUSIVE", f.exclusive);
   add("SHADING", f.shading);
   add("EARLY_TERMINATION", f.early_termination);
@@ -50,6 +54,7 @@ std::vector<std::string> feature_names(const Features& f) {
   add(f.peaks, "peaks");
   add(f.peak_table, "peak_table");
   add(f.split, "split");
+  add(f.extrema, "extrema");
   add(f.exclusive, "exclusive");
   add(f.base_tf, "base_tf");
   add(f.shading, "shading");
@@ -81,6 +86,7 @@ std::vector<std::pair<std::string, std::string>> left_out(const Features& f, con
       !f.peaks ? no_peaks
       : !f.dvr ? "the mode is PEAK_ONLY"
                : "the peak form is the paper's");
+  add(f.extrema, "extrema", !f.peaks ? no_peaks : "the peak form is the paper's");
   add(f.base_tf, "base_tf", "no spike is taken out of the DVR in this mode and form");
   add(f.shading, "shading", "rendering.shading is none");
   add(f.early_termination, "early_termination", "rendering.early_termination is 0");

@@ -18,7 +18,9 @@ struct Features {
   bool dvr = false;         ///< DVR samples
   bool peaks = false;       ///< crossings of the peaks
   bool peak_table = false;  ///< candidates from the table: more peaks than are tested all at once
+  bool one_peak = false;    ///< a single surface to test
   bool split = false;       ///< segments divided at their crossings
+  bool extrema = false;     ///< surfaces entered and left within one step are looked for, too
   bool exclusive = false;   ///< in the paper's form: no DVR sample in a step with a crossing
   bool base_tf = false;     ///< DVR takes the TF without its spikes
   bool shading = false;

@@ -47,7 +47,8 @@ int intervals_per_pass(const Features& features, const Classification& classific
   const int walk = features.empty_cells ? 2 * (grid.dims.x + grid.dims.y + grid.dims.z) : 0;
   const int candidates =
       features.peak_table ? classification.table.largest_count() : most_peaks_without_table;
-  const int rounds = features.peaks ? 2 + 3 * candidates : 1;  // a crossing takes one, and two for its root
+  // A step may be two parts; a crossing in one takes a round, and two for its root
+  const int rounds = features.peaks ? 4 + 6 * candidates : 1;
   return std::max(1, (most_loop_rounds - walk) / rounds);
 }
 
@@ -100,6 +101,7 @@ struct Raycaster::State {
   };
   std::map<std::vector<std::string>, Variant> variants;
   std::string shader_error;
+  int most_intervals_per_pass = 0;
 
   void take_volume(const Scene& scene);
   void take_classification(const Scene& scene);
@@ -217,7 +219,8 @@ void Raycaster::State::draw(const Scene& scene, const Camera& camera, gl::Render
   glBindVertexArray(vertex_array.id());
   glUseProgram(id);
 
-  const int per_pass = intervals_per_pass(features, *classification, scene.volume->grid);
+  const int allowed = intervals_per_pass(features, *classification, scene.volume->grid);
+  const int per_pass = most_intervals_per_pass > 0 ? std::min(most_intervals_per_pass, allowed) : allowed;
   const int total = most_intervals(scene);
   for (int pass = 0; pass * std::int64_t(per_pass) < total; ++pass) {
     set(id, "first_interval", pass * per_pass);
@@ -251,6 +254,8 @@ RenderCounts Raycaster::draw_counted(const Scene& scene, const Camera& camera, g
   });
   return sum;
 }
+
+void Raycaster::set_most_intervals_per_pass(int intervals) { state_->most_intervals_per_pass = intervals; }
 
 void Raycaster::reload_shaders() {
   state_->shader_error.clear();

@@ -47,6 +47,10 @@ class Raycaster {
   const Classification& classification(const Scene& scene);
   Features features(const Scene& scene, bool statistics);
 
+  /// A pass renders at most so many intervals of each ray; 0 = as many as drivers allow. For tests of the
+  /// seams.
+  void set_most_intervals_per_pass(int intervals);
+
   /// Compiles every variant again when it is next needed. Where that fails, the last good one is kept, and
   /// shader_error says why.
   void reload_shaders();

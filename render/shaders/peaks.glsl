@@ -26,13 +26,14 @@ int bin_of(float value) {
   return clamp(int((value - bin_min_scale.x) * bin_min_scale.y), 0, textureSize(peak_table, 0).x - 1);
 }
 
-bool may_cross(float f0, float f1) {
-  vec2 range = texelFetch(peak_table, ivec2(bin_of(f0), bin_of(f1)), 0).rg;
-  return range.x <= max(f0, f1) && range.y >= min(f0, f1);
+// Whether a segment whose values lie in [least, most] may cross a peak, and which: the order is the caller's.
+bool may_cross(float least, float most) {
+  vec2 range = texelFetch(peak_table, ivec2(bin_of(least), bin_of(most)), 0).rg;
+  return range.x <= most && range.y >= least;
 }
 
-void find_candidates(float f0, float f1, out uint first, out uint count) {
-  uint run = texelFetch(peak_runs, ivec2(bin_of(f0), bin_of(f1)), 0).r;
+void find_candidates(float least, float most, out uint first, out uint count) {
+  uint run = texelFetch(peak_runs, ivec2(bin_of(least), bin_of(most)), 0).r;
   first = run & 0xffffu;
   count = run >> 16;
 }
@@ -41,13 +42,17 @@ void find_candidates(float f0, float f1, out uint first, out uint count) {
 uniform vec4 few_peaks;
 uniform int peak_count;
 
-bool may_cross(float f0, float f1) {
-  bvec4 above_least = greaterThanEqual(few_peaks, vec4(min(f0, f1)));
-  bvec4 below_most = lessThanEqual(few_peaks, vec4(max(f0, f1)));
+bool may_cross(float least, float most) {
+#if ONE_PEAK
+  return few_peaks.x >= least && few_peaks.x <= most;
+#else
+  bvec4 above_least = greaterThanEqual(few_peaks, vec4(least));
+  bvec4 below_most = lessThanEqual(few_peaks, vec4(most));
   return any(bvec4(ivec4(above_least) & ivec4(below_most)));
+#endif
 }
 
-void find_candidates(float f0, float f1, out uint first, out uint count) {
+void find_candidates(float least, float most, out uint first, out uint count) {
   first = 0u;
   count = uint(peak_count);
 }

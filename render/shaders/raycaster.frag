@@ -41,7 +41,7 @@ Sampling sample_span(Span span) {
 
 // The i-th sample; before the first is the entry, after the last the exit.
 float sample_at(Sampling s, int i) {
-  return i < 0 ? s.span.enter : i >= s.n ? s.span.exit : s.span.enter + (float(i) + 0.5) * s.dt;
+  return i < 0 ? s.span.enter : min(s.span.enter + (float(i) + 0.5) * s.dt, s.span.exit);
 }
 
 #if PEAKS

