@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -36,9 +40,27 @@ void describe(CLI::App& app) {
   app.get_formatter()->column_width(34);
 }
 
+/// The options before a command are the studio's; a command would pass them over.
+void require_no_studio_options(const CLI::App& app) {
+  if (app.get_subcommands().empty()) return;
+  const std::string command = app.get_subcommands().front()->get_name();
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > 0)
+      throw CLI::ValidationError(
+          option->get_name(),
+          fmt::format("is given before the command; what is for {0} comes after {0}", command));
+}
+
+/// What was printed is out, or it is an error (a full disk).
+void flush_output() {
+  if (std::fflush(stdout) != 0)
+    throw Error(fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its writer
   CLI::App app;
   Action chosen;
   describe(app);
@@ -51,7 +73,9 @@ int run_command_line(int argc, char** argv) {
   add_list_command(app, chosen);
   try {
     app.parse(argc, argv);
+    require_no_studio_options(app);
     chosen();
+    flush_output();
     return 0;
   } catch (const CLI::Success& success) {
     return app.exit(success);  // --help and --version

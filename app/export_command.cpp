@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "presets/atomic_file.h"
+#include "presets/error.h"
 #include "presets/exporters.h"
 #include "presets/preset_file.h"
 #include "render/volume/load.h"
@@ -26,7 +27,7 @@ void export_preset(const ExportCommandOptions& options) {
       preset.name.empty() ? std::filesystem::path(options.preset).stem().string() : preset.name;
   write_file_atomically(options.output, exporter.write(name, tf, options.format_options));
   const std::string losses = exporter.losses(tf, options.format_options);
-  if (!losses.empty()) fmt::print(stderr, "{}\n", losses);
+  fmt::print(stderr, "{}", losses);
 }
 
 }  // namespace
@@ -38,7 +39,17 @@ void add_export_command(CLI::App& app, Action& chosen) {
   for (const Exporter& exporter : exporters())
     formats += fmt::format("\n{}: {}", exporter.name, exporter.summary);
   command->add_option("PRESET", options->preset, "A preset's file, or its name in the library")->required();
-  command->add_option("--to", options->format, "Format:" + formats)->required()->type_name("FORMAT");
+  command->add_option("--to", options->format, "Format:" + formats)
+      ->required()
+      ->type_name("FORMAT")
+      ->check([](const std::string& name) {
+        try {
+          find_exporter(name);
+          return std::string();
+        } catch (const Error& error) {
+          return std::string(error.what());
+        }
+      });
   command->add_option("-o,--output", options->output, "The file to write")->required()->type_name("FILE");
   command->add_option("--volume", options->volume,
                       "Write a normalized preset in this volume's values and units");

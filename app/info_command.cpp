@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "presets/json_text.h"
 #include "render/volume/load.h"
 
 namespace crest {
@@ -28,7 +29,7 @@ void print_info(const std::string& source, int bins) {
   json["inf"] = statistics.inf_count;
   if (!volume.note.empty()) json["note"] = volume.note;
   json["histogram"] = histogram_of(volume.values, statistics.range, bins);
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}", print_json(json));
 }
 
 }  // namespace

@@ -28,24 +28,28 @@ nlohmann::ordered_json peak_json(const Peak& peak) {
           {"spike", peak.spike}};
 }
 
-/// The cells that have a candidate: [entry bin, exit bin, [values in the order they are met], all
-/// candidates].
-nlohmann::ordered_json table_json(const PeakTable& table, const std::vector<Peak>& surfaces) {
-  nlohmann::ordered_json json;
-  json["bins"] = table.bins;
-  json["range"] = {table.range.min, table.range.max};
-  json["largest_count"] = table.largest_count();
-  json["cells"] = nlohmann::json::array();
+/// The cells that have a candidate, one a line. Written as they come: 4096 bins have millions of them.
+void print_table(const PeakTable& table, const std::vector<Peak>& surfaces) {
+  fmt::print(
+      R"(  "table": {{
+    "bins": {},
+    "range": [{}, {}],
+    "largest_count": {},
+    "cells": [)",
+      table.bins, table.range.min, table.range.max, table.largest_count());
+  const char* separator = "\n";
   for (int exit = 0; exit < table.bins; ++exit)
     for (int entry = 0; entry < table.bins; ++entry) {
       const int count = table.cell(entry, exit).count;
       if (count == 0) continue;
-      nlohmann::json values = nlohmann::json::array();
+      std::vector<double> values;
       for (const int index : peaks_met(table, entry, exit))
         if (index >= 0) values.push_back(surfaces[std::size_t(index)].value);
-      json["cells"].push_back({{"entry", entry}, {"exit", exit}, {"peaks", values}, {"count", count}});
+      fmt::print(R"({}      {{"entry": {}, "exit": {}, "peaks": [{}], "count": {}}})", separator, entry, exit,
+                 fmt::join(values, ", "), count);
+      separator = ",\n";
     }
-  return json;
+  fmt::print("\n    ]\n  }}\n");
 }
 
 void print_peaks(const PeaksOptions& options) {
@@ -59,13 +63,11 @@ void print_peaks(const PeaksOptions& options) {
   }
   const int bins = options.bins > 0 ? options.bins : preset.rendering.peak_bins;
   const Classification found = classify(tf, range, bins);
-  nlohmann::ordered_json json;
-  json["peaks"] = nlohmann::json::array();
-  for (const Peak& peak : found.peaks) json["peaks"].push_back(peak_json(peak));
-  json["table"] = table_json(found.table, found.surfaces);
-  // One cell a line: 128 bins have thousands
-  std::string text = json.dump(1);
-  fmt::print("{}\n", text);
+  auto peaks = nlohmann::ordered_json::array();
+  for (const Peak& peak : found.peaks) peaks.push_back(peak_json(peak));
+  fmt::print("{{\n  \"peaks\": {},\n", peaks.dump());
+  print_table(found.table, found.surfaces);
+  fmt::print("}}\n");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "presets/error.h"
+#include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/camera.h"
 
@@ -16,21 +17,30 @@ std::string triple(const std::string& path, const std::string& text) {
   return fmt::format("{}=[{}]", path, text);
 }
 
+/// The preset with one field as an option says. A wrong field or value is a fault of the command line.
+Preset with_field(const Preset& preset, const char* option, const std::string& assignment) {
+  try {
+    return set_field(preset, assignment);
+  } catch (const Error& error) {
+    throw CLI::ValidationError(option, error.what());
+  }
+}
+
 }  // namespace
 
 void SceneOptions::add_to(CLI::App& app) {
   app.add_option("--preset", preset, "A preset's file, or its name in the library (crest list presets)")
       ->type_name("FILE");
-  app.add_option("--mode", mode, "both, DVR_ONLY, PEAK_ONLY or PEAK_XOR_DVR");
-  app.add_option("--engine", engine, "raycaster");
-  app.add_option("--step", step, "Step length, in units of the smallest spacing");
+  app.add_option("--mode", mode, "What a ray collects: " + name_list<Mode>())->type_name("MODE");
+  app.add_option("--engine", engine, "What renders: " + name_list<Engine>())->type_name("ENGINE");
+  app.add_option("--step", step, "Step length, in units of the smallest spacing")->type_name("STEP");
   app.add_option("--eye", eye, "Camera: where the eye is (world units)")->type_name("X,Y,Z");
   app.add_option("--target", target, "Camera: what it looks at")->type_name("X,Y,Z");
   app.add_option("--up", up, "Camera: what is up")->type_name("X,Y,Z");
   app.add_option("--fov", fov, "Camera: vertical field of view in degrees")->type_name("DEG");
   app.add_option("--set", sets, "Sets any field of the preset by its JSON path: --set rendering.step=0.5")
       ->type_name("PATH=VALUE")
-      ->take_all();
+      ->allow_extra_args(false);  // one value each: what follows is VOLUME
   app.add_flag("--fit-range", fit_range, "Map the transfer function's span onto the volume's range");
 }
 
@@ -40,19 +50,19 @@ Preset SceneOptions::read_preset(const Volume& loaded) const {
     result.transfer_function = default_transfer_function();
   else
     result = load_preset(preset);
-  for (const auto& set : sets) result = set_field(result, set);
-  const auto set_if = [&](const std::string& text, const std::string& assignment) {
-    if (!text.empty()) result = set_field(result, assignment);
+  for (const auto& set : sets) result = with_field(result, "--set", set);
+  const auto set_if = [&](const char* option, const std::string& text, const std::string& assignment) {
+    if (!text.empty()) result = with_field(result, option, assignment);
   };
-  set_if(mode, "rendering.mode=" + mode);
-  set_if(engine, "rendering.engine=" + engine);
-  set_if(step, "rendering.step=" + step);
+  set_if("--mode", mode, "rendering.mode=" + mode);
+  set_if("--engine", engine, "rendering.engine=" + engine);
+  set_if("--step", step, "rendering.step=" + step);
   if (!eye.empty() || !target.empty() || !up.empty() || !fov.empty()) {
     if (!result.camera) result.camera = whole_volume_camera(loaded.grid);
-    set_if(eye, triple("camera.eye", eye));
-    set_if(target, triple("camera.target", target));
-    set_if(up, triple("camera.up", up));
-    set_if(fov, "camera.fov_y_degrees=" + fov);
+    set_if("--eye", eye, triple("camera.eye", eye));
+    set_if("--target", target, triple("camera.target", target));
+    set_if("--up", up, triple("camera.up", up));
+    set_if("--fov", fov, "camera.fov_y_degrees=" + fov);
   }
   if (fit_range && result.transfer_function.domain == Domain::data)
     result.transfer_function =
@@ -75,7 +85,7 @@ void PictureOptions::add_to(CLI::App& app) {
 
 glm::ivec2 PictureOptions::pixels() const {
   std::smatch match;
-  static const std::regex form(R"((\d{1,5})x(\d{1,5}))");
+  static const std::regex form(R"(([1-9]\d{0,5})x([1-9]\d{0,5}))");
   if (!std::regex_match(size, match, form))
     throw CLI::ValidationError("--size", fmt::format("'{}' is not WIDTHxHEIGHT, as in 512x512", size));
   return {std::stoi(match[1]), std::stoi(match[2])};

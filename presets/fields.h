@@ -42,7 +42,7 @@ void visit_fields(Self& rendering, Field&& field) {
   field("mode", rendering.mode, always_written());
   field("peak_form", rendering.peak_form, any_value);
   field("engine", rendering.engine, always_written());
-  field("step", rendering.step, positive);
+  field("step", rendering.step, FieldRule{.min = 1e-3});  // a ray has a finite number of them
   field("max_peaks", rendering.max_peaks, FieldRule{.min = 1, .max = 64});
   field("peak_bins", rendering.peak_bins, FieldRule{.min = 1, .max = 4096});
   field("shading", rendering.shading, any_value);

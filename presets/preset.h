@@ -20,7 +20,7 @@ struct Rendering {
   Mode mode = Mode::both;
   PeakForm peak_form = PeakForm::split;
   Engine engine = Engine::raycaster;
-  double step = 0.5;    ///< > 0, in units of the smallest spacing
+  double step = 0.5;    ///< at least 1e-3, in units of the smallest spacing
   int max_peaks = 4;    ///< most crossings that one step composites, 1..64
   int peak_bins = 128;  ///< bins of the peak table on each axis, 1..4096
   Shading shading = Shading::none;

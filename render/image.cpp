@@ -1,5 +1,6 @@
 #include "render/image.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -21,12 +22,22 @@ std::vector<std::uint8_t> rgb_bytes(const Image& image) {
   return bytes;
 }
 
-void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const void* pixels) {
+/// The whole file in memory: OpenImageIO does not notice that a PNG was cut off by a full disk.
+std::vector<unsigned char> encode(const std::filesystem::path& path, const OIIO::ImageSpec& spec,
+                                  const void* pixels) {
+  std::vector<unsigned char> file;
+  OIIO::Filesystem::IOVecOutput memory(file);
   const auto output = OIIO::ImageOutput::create(path.string());
-  if (!output || !output->open(path.string(), spec) || !output->write_image(spec.format, pixels) ||
-      !output->close())
+  if (!output || !output->set_ioproxy(&memory) || !output->open(path.string(), spec) ||
+      !output->write_image(spec.format, pixels) || !output->close())
     throw Error(fmt::format("{}: cannot be written: {}", path.string(),
                             output ? output->geterror() : OIIO::geterror()));
+  return file;
+}
+
+void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const void* pixels) {
+  const auto file = encode(path, spec, pixels);
+  write_file_atomically(path, std::string_view(reinterpret_cast<const char*>(file.data()), file.size()));
 }
 
 }  // namespace
@@ -41,11 +52,10 @@ void write_image(const std::filesystem::path& path, const Image& image, glm::vec
   if (extension == ".png") {
     const auto bytes = rgb_bytes(over_background(image, background));
     const OIIO::ImageSpec spec(image.size.x, image.size.y, 3, OIIO::TypeDesc::UINT8);
-    write_file_atomically(path, [&](const auto& temporary) { write_pixels(temporary, spec, bytes.data()); });
+    write_pixels(path, spec, bytes.data());
   } else if (extension == ".exr") {
     const OIIO::ImageSpec spec(image.size.x, image.size.y, 4, OIIO::TypeDesc::FLOAT);
-    write_file_atomically(path,
-                          [&](const auto& temporary) { write_pixels(temporary, spec, image.pixels.data()); });
+    write_pixels(path, spec, image.pixels.data());
   } else {
     throw Error(fmt::format("{}: a picture's name ends with .png or .exr", path.string()));
   }

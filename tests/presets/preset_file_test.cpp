@@ -181,7 +181,7 @@ TEST(ParsePreset, RefusesWrongFieldsWithTheirPath) {
        "transfer_function.domain: \"date\" is not one of: data, normalized"},
       {"/rendering/mode", "\"XOR\"",
        "rendering.mode: \"XOR\" is not one of: both, PEAK_XOR_DVR, PEAK_ONLY, DVR_ONLY"},
-      {"/rendering/step", "-0.5", "rendering.step: -0.5 is not greater than 0"},
+      {"/rendering/step", "-0.5", "rendering.step: -0.5 is not at least 0.001"},
       {"/rendering/max_peaks", "2.5", "rendering.max_peaks: 2.5 is not a whole number"},
       {"/rendering/max_peaks", "65", "rendering.max_peaks: 65 is not in [1, 64]"},
       {"/rendering/peak_bins", "1e200", "rendering.peak_bins: 1e+200 is not in [1, 4096]"},

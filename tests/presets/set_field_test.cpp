@@ -83,7 +83,7 @@ TEST(SetField, RefusesWhatIsNotThere) {
 }
 
 TEST(SetField, RefusesWrongValues) {
-  EXPECT_EQ(error_of("rendering.step=0"), "rendering.step: 0 is not greater than 0");
+  EXPECT_EQ(error_of("rendering.step=0"), "rendering.step: 0 is not at least 0.001");
   EXPECT_EQ(error_of("rendering.step=fast"), "rendering.step: \"fast\" is not a number");
   EXPECT_EQ(error_of("rendering.step="), "rendering.step: \"\" is not a number");
   EXPECT_EQ(error_of("transfer_function.points=[]"),

@@ -1,0 +1,154 @@
+#include <map>
+
+#include "program.h"
+
+namespace crest::test {
+namespace {
+
+using Words = std::vector<std::string>;
+class CommandLine : public ProgramTest {
+ protected:
+  /// A picture that works, of 16x16 pixels, for options to be added to.
+  Words render = {"render", "builtin:sphere?n=8", "--size", "16x16", "-o", path("a.png")};
+};
+
+TEST_F(CommandLine, HelpTellsEachOption) {
+  const Words scene = {"--preset", "--mode", "--engine", "--step", "--eye",      "--target",
+                       "--up",     "--fov",  "--set",    "VOLUME", "--fit-range"};
+  const Words picture = {"--output", "--size", "--frames", "--device", "--json"};
+  const std::map<std::string, Words> commands = {
+      {"render", scene + picture},
+      {"compare", scene + picture},
+      {"peaks", {"PRESET", "--volume", "--bins", "--json"}},
+      {"info", {"VOLUME", "--bins", "--json"}},
+      {"export", {"PRESET", "--to", "paraview", "csv", "--output", "--volume", "--samples"}},
+      {"list", {"volumes", "formats", "methods", "presets", "devices"}}};
+  const std::string help = output_of({"--help"});
+  for (const std::string& option : scene + Words{"--version", "--shaders", "--log-frames", "Exit codes"})
+    EXPECT_NE(help.find(option), std::string::npos) << option;
+  for (const auto& [command, options] : commands) {
+    EXPECT_NE(help.find("\n  " + command), std::string::npos) << command;
+    const std::string own_help = output_of({command, "--help"});
+    for (const std::string& option : options + Words{"--help"})
+      EXPECT_NE(own_help.find(option), std::string::npos) << command << ' ' << option;
+  }
+}
+
+TEST_F(CommandLine, VersionIsOneLine) { EXPECT_EQ(output_of({"--version"}), "crest 0.1.0\n"); }
+
+TEST_F(CommandLine, ListsTellWhatThereIs) {
+  const std::map<std::string, Words> lists = {
+      {"volumes",
+       {"builtin:marschner-lobb", "builtin:sphere", "builtin:linear", "builtin:trilinear", "builtin:gyroid",
+        "builtin:plume", "builtin:vessels", "builtin:noise", "n=64"}},
+      {"formats",
+       {"NRRD", "MetaImage", "NIfTI", "DICOM", "MRC", "VTK", "RAW", "image stack", "paraview", "csv"}},
+      {"methods", {"--mode both", "--mode DVR_ONLY", "--mode PEAK_ONLY", "--mode PEAK_XOR_DVR"}},
+      {"presets", {"dirac-shell", "four-peaks", "noisy-band", "smooth-haze", "true-spike", "step-surface"}},
+      {"devices", {"0 "}}};
+  for (const auto& [what, parts] : lists) {
+    const std::string text = output_of({"list", what});
+    for (const std::string& part : parts)
+      EXPECT_NE(text.find(part), std::string::npos) << what << ' ' << part;
+  }
+}
+
+TEST_F(CommandLine, WordsThatThereAreNot) {
+  expect_error(2, render + Words{"--bogus"}, {"--bogus"});
+  expect_error(2, render + Words{"more"}, {"more"});
+  expect_error(2, {"render"}, {"VOLUME"});
+  expect_error(2, {"render", "builtin:sphere"}, {"--output"});
+  expect_error(2, {"bogus", "x.nrrd", "-o", "a.png"}, {"x.nrrd"});
+  expect_error(1, {"bogus"}, {"bogus", "no such file"});
+  expect_error(2, {"list"}, {"WHAT"});
+  expect_error(2, {"list", "bogus"}, {"bogus", "volumes", "devices"});
+  expect_error(2, {"export", "onion", "--to", "bogus", "-o", path("x")}, {"bogus", "paraview", "csv"});
+  expect_error(2, {"export", "onion", "-o", path("x")}, {"--to"});
+  expect_error(2, render + Words{"--mode", "bogus"}, {"--mode", "bogus", "PEAK_XOR_DVR"});
+  expect_error(2, render + Words{"--engine", "bogus"}, {"--engine", "bogus", "raycaster"});
+  expect_error(1, render + Words{"--preset", "bogus"}, {"bogus", "no such file", "onion"});
+  expect_error(1, {"info", "builtin:bogus"}, {"bogus", "sphere"});
+  expect_error(1, {"info", "builtin:sphere?n=8&m=2"}, {"\"m\"", "radius"});
+  expect_error(1, render + Words{"--device", "99"}, {"--device 99"});
+}
+
+TEST_F(CommandLine, OptionsBeforeACommandAreNotLost) {
+  expect_error(2, Words{"--mode", "DVR_ONLY"} + render, {"--mode", "render"});
+  expect_error(2, Words{"builtin:gyroid"} + render, {"VOLUME", "render"});
+}
+
+TEST_F(CommandLine, Sizes) {
+  render.resize(2);
+  for (const char* size :
+       {"0x0", "0x16", "abc", "16", "16x", "16x16x16", "-16x16", "1e3x2", "", " 16x16", "99999999999x1"})
+    expect_error(2, render + Words{"-o", path("a.png"), "--size", size}, {"--size", "512x512"});
+  for (const char* size : {"99999x1", "1x16385"})
+    expect_error(1, render + Words{"-o", path("a.png"), "--size", size}, {size, "1..16384"});
+}
+
+TEST_F(CommandLine, NumbersOfOptions) {
+  expect_error(2, render + Words{"--step", "-1"}, {"--step", "-1 is not at least 0.001"});
+  for (const char* tiny : {"0", "1e-9", "1e-300"})
+    expect_error(2, render + Words{"--step", tiny}, {"--step", "is not at least 0.001"});
+  for (const char* text : {"nan", "inf", "fast", "1,5", "0x10"})
+    expect_error(2, render + Words{"--step", text}, {"--step", text, "not a number"});
+  expect_error(2, render + Words{"--step", "1e999"}, {"--step"});
+  for (const char* count : {"0", "-1", "1.5", "many"})
+    expect_error(2, render + Words{"--frames", count}, {"--frames"});
+  expect_error(2, {"info", "builtin:sphere?n=8", "--bins", "0"}, {"--bins"});
+  expect_error(2, {"peaks", "onion", "--bins", "4097"}, {"--bins"});
+  expect_error(2, {"export", "onion", "--to", "csv", "-o", path("x"), "--samples", "1"}, {"--samples"});
+}
+
+TEST_F(CommandLine, Cameras) {
+  expect_error(1, render + Words{"--eye", "1,1,1", "--target", "1,1,1"}, {"eye and target", "same point"});
+  for (const char* fov : {"0", "180", "-30", "nan"}) expect_error(2, render + Words{"--fov", fov}, {"--fov"});
+  for (const char* eye : {"1,2", "1,2,3,4", "1,2,x", "nan,0,0", "1;2;3", "1,2,3],\"up\":[0"})
+    expect_error(2, render + Words{"--eye", eye}, {"--eye", "camera.eye"});
+  // Up along the view, or none: another is taken, and there is a picture.
+  for (const char* up : {"0,0,1", "0,0,0"})
+    EXPECT_EQ(run(render + Words{"--eye", "0,0,-5", "--target", "0,0,0", "--up", up}).exit_code, 0) << up;
+}
+
+TEST_F(CommandLine, NegativeCoordinatesAreNoOptions) {
+  ASSERT_EQ(run(render + Words{"--eye", "-1,2,3"}).err, "");
+  const std::string apart = content_of(path("a.png"));
+  ASSERT_EQ(run(render + Words{"--eye=-1,2,3"}).err, "");
+  EXPECT_EQ(content_of(path("a.png")), apart);
+  ASSERT_EQ(run(render + Words{"--eye", "1,2,3"}).err, "");
+  EXPECT_NE(content_of(path("a.png")), apart);
+}
+
+TEST_F(CommandLine, FieldsSetByTheirPaths) {
+  EXPECT_EQ(run({"render", "--set", "rendering.step=1", "builtin:sphere?n=8", "--size", "16x16", "-o",
+                 path("a.png"), "--set", "rendering.shading=gradient"})
+                .err,
+            "");
+  expect_error(2, render + Words{"--set", "bogus"}, {"--set", "PATH=VALUE"});
+  expect_error(2, render + Words{"--set", "rendering.stp=1"}, {"--set", "\"stp\"", "step"});
+  expect_error(2, render + Words{"--set", "transfer_function.points[9].opacity=1"}, {"points", "elements"});
+  expect_error(2, render + Words{"--set", "transfer_function.points[0].opacity=1.2"},
+               {"transfer_function.points[0].opacity: 1.2 is not in [0, 1]"});
+}
+
+TEST_F(CommandLine, WithoutADisplayThereIsAPicture) {
+  const std::string text = output_of({});
+  EXPECT_EQ(names(), Words{"crest-modes.png"});
+  EXPECT_NE(text.find("No display"), std::string::npos) << text;
+  EXPECT_NE(text.find(path("crest-modes.png")), std::string::npos) << text;
+  EXPECT_NE(text.find("DISPLAY"), std::string::npos) << text;
+}
+
+TEST_F(CommandLine, OutputThatCannotBePrintedIsAnError) {
+  for (const Words& arguments :
+       {Words{"info", "builtin:sphere?n=8"}, Words{"peaks", "onion"}, Words{"list", "presets"}}) {
+    // The outer redirection is the test's own; this one, within, is the full disk.
+    const Outcome outcome = run(arguments, "exec >/dev/full;");
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_TRUE(outcome.err.starts_with("crest: cannot write to ")) << outcome.err;
+    EXPECT_TRUE(outcome.err.ends_with(": No space left on device\n")) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace crest::test

@@ -1,0 +1,138 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <sstream>
+
+#include "presets/transfer_function.h"
+#include "program.h"
+
+namespace crest::test {
+namespace {
+
+using Words = std::vector<std::string>;
+class Data : public ProgramTest {};
+
+TEST_F(Data, InfoOfAVolumeFromAFormula) {
+  // x + y/2 + z/4 over [-1, 1]^3
+  const auto info = json_of({"info", "builtin:linear?n=5", "--bins", "7"});
+  EXPECT_EQ(info["name"], "linear");
+  EXPECT_EQ(info["dims"], nlohmann::json({5, 5, 5}));
+  EXPECT_EQ(info["type"], "float32");
+  EXPECT_EQ(info["spacing"], nlohmann::json({0.5, 0.5, 0.5}));
+  EXPECT_EQ(info["origin"], nlohmann::json({-1.0, -1.0, -1.0}));
+  EXPECT_EQ(info["direction"], nlohmann::json({{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}));
+  EXPECT_EQ(info["range"], nlohmann::json({-1.75, 1.75}));
+  EXPECT_NEAR(info["mean"], 0, 1e-12);
+  // Each axis has points -1, -.5, 0, .5, 1 of variance 1/2.
+  EXPECT_NEAR(info["standard_deviation"], std::sqrt(0.5 * (1 + 1.0 / 4 + 1.0 / 16)), 1e-12);
+  EXPECT_EQ(info["voxels"], 125);
+  EXPECT_EQ(info["nan"], 0);
+  EXPECT_EQ(info["inf"], 0);
+  const std::vector<int> histogram = info["histogram"];
+  ASSERT_EQ(histogram.size(), 7u);
+  EXPECT_EQ(std::accumulate(histogram.begin(), histogram.end(), 0), 125);
+  EXPECT_EQ(histogram[0], 6);  // below -1.25: x = y = -1 with four z, x = -1 and y = -0.5 with two
+}
+
+TEST_F(Data, InfoOfARawFile) {
+  std::string bytes;
+  for (int i = 0; i < 24; ++i) bytes += {char(0), char(i)};
+  const auto info =
+      json_of({"info", write("v.raw", "##" + bytes) +
+                           "?size=2x3x4&type=int16&endian=big&offset=2&spacing=1,2,3&origin=4,5,6"});
+  EXPECT_EQ(info["dims"], nlohmann::json({2, 3, 4}));
+  EXPECT_EQ(info["type"], "int16");
+  EXPECT_EQ(info["spacing"], nlohmann::json({1.0, 2.0, 3.0}));
+  EXPECT_EQ(info["origin"], nlohmann::json({4.0, 5.0, 6.0}));
+  EXPECT_EQ(info["range"], nlohmann::json({0.0, 23.0}));
+  EXPECT_EQ(info["mean"], 11.5);
+}
+
+TEST_F(Data, PeaksInTheirOwnValuesAndInAVolumes) {
+  const auto own = json_of({"peaks", "four-peaks", "--bins", "200"});
+  ASSERT_EQ(own["peaks"].size(), 4u);
+  const double values[] = {0.455, 0.485, 0.515, 0.545};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& peak = own["peaks"][i];
+    EXPECT_EQ(peak["value"], values[i]);
+    EXPECT_EQ(peak["opacity"], 0.45);
+    EXPECT_NEAR(peak["width"], 0.002, 1e-12);
+    EXPECT_TRUE(peak["detected"] == true && peak["shown"] == true && peak["spike"] == true);
+  }
+  const auto& table = own["table"];
+  EXPECT_EQ(table["bins"], 200);
+  EXPECT_EQ(table["range"], nlohmann::json({0.0, 1.0}));
+  EXPECT_EQ(table["largest_count"], 4);
+  // From the first bin to the last all are met upwards, and back downwards.
+  int found = 0;
+  for (const auto& cell : table["cells"]) {
+    if (cell["entry"] == 0 && cell["exit"] == 199) {
+      EXPECT_EQ(cell["peaks"], nlohmann::json(values));
+      ++found;
+    }
+    if (cell["entry"] == 199 && cell["exit"] == 0) {
+      EXPECT_EQ(cell["peaks"], nlohmann::json({0.545, 0.515, 0.485, 0.455}));
+      ++found;
+    }
+  }
+  EXPECT_EQ(found, 2);
+
+  const auto of_volume = json_of({"peaks", "four-peaks", "--volume", "builtin:linear?n=5"});
+  EXPECT_EQ(of_volume["table"]["bins"], 128);
+  EXPECT_EQ(of_volume["table"]["range"], nlohmann::json({-1.75, 1.75}));
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(of_volume["peaks"][i]["value"], -1.75 + 3.5 * values[i], 1e-12);
+}
+
+TEST_F(Data, ExportToParaView) {
+  const Outcome plain = run({"export", "four-peaks", "--to", "paraview", "-o", path("p.json")});
+  EXPECT_EQ(plain.exit_code, 0);
+  EXPECT_EQ(plain.out, "");
+  EXPECT_NE(plain.err.find("ScalarOpacityUnitDistance"), std::string::npos) << "what is lost is told";
+  const auto map = nlohmann::json::parse(content_of(path("p.json"))).at(0);
+  EXPECT_EQ(map["Name"], "Four peaks");
+  ASSERT_EQ(map["Points"].size(), 16u * 4);
+  ASSERT_EQ(map["RGBPoints"].size(), 16u * 4);
+  EXPECT_EQ(map["Points"][3 * 4], 0.455);
+  EXPECT_EQ(map["Points"][3 * 4 + 1], 0.45);
+
+  const Outcome fitted = run(
+      {"export", "four-peaks", "--to", "paraview", "-o", path("v.json"), "--volume", "builtin:linear?n=5"});
+  EXPECT_EQ(fitted.exit_code, 0) << fitted.err;
+  const auto of_volume = nlohmann::json::parse(content_of(path("v.json"))).at(0);
+  EXPECT_NEAR(of_volume["Points"][3 * 4], -1.75 + 3.5 * 0.455, 1e-12);
+  EXPECT_NE(fitted.err.find("8 world units"), std::string::npos) << fitted.err;  // 16 voxels of 0.5
+}
+
+TEST_F(Data, ExportToATable) {
+  for (const std::string volume : {"", "builtin:linear?n=5"}) {
+    Words arguments = {"export", "smooth-haze", "--to", "csv", "-o", path("t.csv"), "--samples", "27"};
+    if (!volume.empty()) arguments = arguments + Words{"--volume", volume};
+    EXPECT_EQ(run(arguments).exit_code, 0);
+    std::istringstream lines(content_of(path("t.csv")));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "value,red,green,blue,opacity,extinction");
+    const auto value = [&](double normalized) {
+      return volume.empty() ? normalized : -1.75 + 3.5 * normalized;
+    };
+    const double unit_distance = volume.empty() ? 10 : 5;
+    int rows = 0;
+    for (; std::getline(lines, line); ++rows) {
+      double number[6];
+      ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf", number, number + 1, number + 2,
+                            number + 3, number + 4, number + 5),
+                6);
+      EXPECT_NEAR(number[0], value(0.35 + 0.65 * rows / 26), 1e-12);
+      EXPECT_NEAR(number[5], extinction(number[4], unit_distance), 1e-12);
+      if (rows == 4) {  // 0.45, a point of the preset
+        EXPECT_NEAR(number[4], 0.06, 1e-12);
+        EXPECT_NEAR(number[1], 0.45, 1e-12);
+      }
+    }
+    EXPECT_EQ(rows, 27);
+  }
+}
+
+}  // namespace
+}  // namespace crest::test
