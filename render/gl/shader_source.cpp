@@ -20,6 +20,14 @@ std::string read_shader_file(std::string_view name, const std::filesystem::path&
   throw Error(fmt::format("shader {} is not part of this program", name));
 }
 
+/// Lines of file n are numbered from n * 10,000: Mesa 22.3 gives source string 0 for some errors, whatever
+/// `#line` says.
+constexpr std::size_t lines_per_file = 10000;
+
+std::string line_directive(std::size_t file, std::size_t line) {
+  return fmt::format("#line {}\n", file * lines_per_file + line);
+}
+
 /// The file that `#include "file"` names; empty for another line.
 std::string included_file(const std::string& line) {
   const auto first = line.find_first_not_of(" \t");
@@ -32,15 +40,15 @@ void append_file(ShaderSource& source, std::string_view name, const std::filesys
   if (std::ranges::find(source.files, name) != source.files.end()) return;  // each file once
   const auto index = source.files.size();
   source.files.emplace_back(name);
-  source.text += fmt::format("#line 1 {}\n", index);
+  source.text += line_directive(index, 1);
 
   std::istringstream lines(read_shader_file(name, folder));
-  int number = 0;
+  std::size_t number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
     if (const std::string included = included_file(line); !included.empty()) {
       append_file(source, included, folder);
-      source.text += fmt::format("#line {} {}\n", number + 1, index);
+      source.text += line_directive(index, number + 1);
     } else {
       source.text += line + '\n';
     }
@@ -64,13 +72,14 @@ std::string name_files_in_log(std::string_view log, const std::vector<std::strin
   std::istringstream lines{std::string(log)};
   for (std::string line; std::getline(lines, line);) {
     const auto place = std::min(line.find_first_of("0123456789"), line.size());
-    std::size_t file = 0, number = 0;
+    std::size_t string = 0, number = 0;
     int length = 0;
     const char* text = line.c_str() + place;
-    const bool found = std::sscanf(text, "%zu:%zu%n", &file, &number, &length) == 2 ||
-                       std::sscanf(text, "%zu(%zu)%n", &file, &number, &length) == 2;
-    if (found && file < files.size())
-      line = fmt::format("{}{}:{}{}", line.substr(0, place), files[file], number, text + length);
+    const bool found = std::sscanf(text, "%zu:%zu%n", &string, &number, &length) == 2 ||
+                       std::sscanf(text, "%zu(%zu)%n", &string, &number, &length) == 2;
+    if (found && number / lines_per_file < files.size())
+      line = fmt::format("{}{}:{}{}", line.substr(0, place), files[number / lines_per_file],
+                         number % lines_per_file, text + length);
     named += line + '\n';
   }
   return named;
