@@ -7,7 +7,7 @@
 
 namespace crest::gl {
 
-/// One shader's text with its includes joined. Source string n of a `#line` is `files[n]`.
+/// One shader's text with its includes joined; its line numbers also say which of `files` a line is from.
 struct ShaderSource {
   std::string text;
   std::vector<std::string> files;
@@ -19,8 +19,7 @@ struct ShaderSource {
 ShaderSource load_shader(std::string_view name, const std::vector<std::string>& defines,
                          const std::filesystem::path& folder = {});
 
-/// A driver's log with its string numbers replaced by file names: "0:12(3): error" -> "raycaster.frag:12:
-/// error".
+/// A driver's log with file names and their own line numbers: "0:20012(3): error" -> "ray.glsl:12(3): error".
 std::string name_files_in_log(std::string_view log, const std::vector<std::string>& files);
 
 }  // namespace crest::gl

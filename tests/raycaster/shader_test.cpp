@@ -62,9 +62,9 @@ TEST_F(Shaders, FirstFailureIsAnError) {
 
 TEST(ShaderLog, NamesFilesForEveryDriver) {
   const std::vector<std::string> files{"a.frag", "b.glsl"};
-  EXPECT_EQ(gl::name_files_in_log("1:12(3): error: x", files), "b.glsl:12(3): error: x\n");   // Mesa
-  EXPECT_EQ(gl::name_files_in_log("0(7) : error C1: x", files), "a.frag:7 : error C1: x\n");  // NVIDIA
-  EXPECT_EQ(gl::name_files_in_log("ERROR: 1:5: 'x'", files), "ERROR: b.glsl:5: 'x'\n");       // AMD
+  EXPECT_EQ(gl::name_files_in_log("0:10012(3): error: x", files), "b.glsl:12(3): error: x\n");  // Mesa
+  EXPECT_EQ(gl::name_files_in_log("0(7) : error C1: x", files), "a.frag:7 : error C1: x\n");    // NVIDIA
+  EXPECT_EQ(gl::name_files_in_log("ERROR: 0:10005: 'x'", files), "ERROR: b.glsl:5: 'x'\n");     // AMD
   EXPECT_EQ(gl::name_files_in_log("no place here", files), "no place here\n");
 }
 
