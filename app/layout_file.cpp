@@ -9,7 +9,8 @@ namespace crest {
 
 void LayoutFile::update(const Studio& studio) {
   if (path_.empty()) return;
-  std::string text = fmt::format("title\t{}\nbusy\t{}\n", studio.title(), studio.is_busy() ? 1 : 0);
+  std::string text = fmt::format("title\t{}\nbusy\t{}\n", studio.title(),
+                                 studio.is_drawing() || studio.is_loading() ? 1 : 0);
   for (const auto& [name, rect] : studio.ui_state().widgets.items)
     text += fmt::format("{}\t{:.0f}\t{:.0f}\n", name, 0.5f * (rect.first.x + rect.second.x),
                         0.5f * (rect.first.y + rect.second.y));

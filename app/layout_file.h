@@ -6,8 +6,9 @@
 
 namespace crest {
 
-/// What a script needs that drives the window from outside, as lines of tab-separated words: the window's title,
-/// whether anything is still being drawn, and the middle of each named widget in pixels. Written when it changed.
+/// What a script needs that drives the window from outside, as lines of tab-separated words: the window's
+/// title, whether anything is still being drawn, and the middle of each named widget in pixels. Written when
+/// it changed.
 class LayoutFile {
  public:
   explicit LayoutFile(std::filesystem::path path) : path_(std::move(path)) {}

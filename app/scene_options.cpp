@@ -58,11 +58,13 @@ Preset SceneOptions::read_preset(const Volume& loaded) const {
   set_if("--engine", engine, "rendering.engine=" + engine);
   set_if("--step", step, "rendering.step=" + step);
   if (!eye.empty() || !target.empty() || !up.empty() || !fov.empty()) {
+    const bool is_fitted = !result.camera && eye.empty() && target.empty();
     if (!result.camera) result.camera = whole_volume_camera(loaded.grid);
     set_if("--eye", eye, triple("camera.eye", eye));
     set_if("--target", target, triple("camera.target", target));
     set_if("--up", up, triple("camera.up", up));
     set_if("--fov", fov, "camera.fov_y_degrees=" + fov);
+    if (is_fitted) result.camera->eye = whole_volume_camera(loaded.grid, result.camera->fov_y_degrees).eye;
   }
   if (fit_range && result.transfer_function.domain == Domain::data)
     result.transfer_function =

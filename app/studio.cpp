@@ -56,8 +56,6 @@ bool Studio::has_unsaved_changes() const {
   return without_camera(document_.preset) != without_camera(saved_);
 }
 
-bool Studio::is_busy() const { return loading_.valid() || views_.is_busy(); }
-
 std::string Studio::title() const {
   const std::string name =
       document_.preset_path.empty() ? "new preset" : document_.preset_path.filename().string();
@@ -66,6 +64,8 @@ std::string Studio::title() const {
 }
 
 void Studio::start_loading(const std::string& source) {
+  if (loading_.valid())
+    return say(fmt::format("{} has to wait: {} is still being read", source, loading_source_), true);
   loading_source_ = source;
   say(fmt::format("Reading {} ...", source));
   loading_ = std::async(std::launch::async, [source] {
@@ -76,7 +76,10 @@ void Studio::start_loading(const std::string& source) {
 void Studio::take_loaded_volume() {
   if (!loading_.valid() || loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   try {
-    loaded_ = loading_.get();
+    Loaded fresh = loading_.get();
+    views_.raycaster().classification(
+        make_scene(fresh.volume, document_.preset));  // the driver must hold it, too
+    loaded_ = std::move(fresh);
     document_.volume_source = loaded_.source;
     recent_.add(loaded_.source);
     const glm::ivec3 dims = loaded_.volume->grid.dims;
@@ -120,7 +123,7 @@ void Studio::save_preset_to(const std::filesystem::path& path) {
 void Studio::open(const std::string& source) {
   if (is_preset_file(source))
     open_preset(source);
-  else if (!loading_.valid())
+  else
     start_loading(source);
 }
 
@@ -134,7 +137,7 @@ void Studio::handle(const StudioRequests& requests) {
   }
   if (requests.open_preset) open_preset(*requests.open_preset);
   if (requests.save_preset) save_preset_to(*requests.save_preset);
-  if (requests.open_volume && !loading_.valid()) start_loading(*requests.open_volume);
+  if (requests.open_volume) start_loading(*requests.open_volume);
   if (requests.reload_shaders) {
     views_.raycaster().reload_shaders();
     views_.invalidate();

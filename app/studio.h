@@ -28,8 +28,8 @@ class Studio {
   void open(const std::string& source);
 
   bool wants_to_quit() const { return quit_; }
-  /// Whether something is left to draw, or a volume is being read.
-  bool is_busy() const;
+  bool is_loading() const { return loading_.valid(); }  ///< a volume is being read
+  bool is_drawing() const { return views_.is_busy(); }  ///< a view is not done
   std::string title() const;
   const Document& document() const { return document_; }
   const StudioState& ui_state() const { return *ui_; }

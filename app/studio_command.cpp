@@ -50,14 +50,15 @@ void run_window(const StudioOptions& options) {
   Clock::time_point last_input = Clock::now();
   int settling = settling_frames;
   while (!studio.wants_to_quit()) {
-    const bool idle = settling <= 0 && !studio.is_busy();
-    window.poll_events(idle, 1.0);
+    // At rest the program sleeps; while a volume is read it looks up now and then
+    const bool works = settling > 0 || studio.is_drawing();
+    window.poll_events(!works, studio.is_loading() ? 0.05 : 1.0);
     const auto begin = Clock::now();
     if (window.had_input()) {
       last_input = begin;
       settling = settling_frames;
     }
-    if (settling <= 0 && !studio.is_busy()) continue;
+    if (settling <= 0 && !studio.is_drawing() && !studio.is_loading()) continue;
     const bool interactive =
         window.is_mouse_down() || begin - last_input < std::chrono::duration<double>(rest_after_s);
 
@@ -66,7 +67,7 @@ void run_window(const StudioOptions& options) {
     studio.frame(window.take_close_request(), interactive ? interactive_ms : resting_ms, interactive);
     window.end_frame();
     window.set_title(studio.title());
-    if (settling > 0 && !studio.is_busy()) --settling;
+    if (settling > 0 && !studio.is_drawing() && !studio.is_loading()) --settling;
 
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     studio.set_performance_text(fmt::format("{:.0f} ms a frame", frame_ms));
@@ -75,6 +76,14 @@ void run_window(const StudioOptions& options) {
     layout.update(studio);
   }
   if (!options.frame_log.empty()) write_file_atomically(options.frame_log, log.summary());
+}
+
+/// A word that stands alone could be a mistyped command.
+void expect_volume(const std::string& source) {
+  const std::string file = source.substr(0, source.find('?'));
+  if (source.find_first_of("./:?") == source.npos && !std::filesystem::exists(file))
+    throw CLI::ValidationError("VOLUME",
+                               fmt::format("'{}' is neither a command nor a file or folder", source));
 }
 
 /// What the studio does where it has no display: a picture instead of a window.
@@ -108,6 +117,7 @@ void add_studio(CLI::App& app, Action& chosen) {
       ->type_name("FILE");
   app.callback([options, &chosen, &app] {
     if (!app.get_subcommands().empty()) return;
+    if (!options->scene.volume.empty()) expect_volume(options->scene.volume);
     chosen = [options] { has_display() ? run_window(*options) : run_without_display(*options); };
   });
 }

@@ -52,13 +52,25 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
   while (spent_ms() < budget_ms) {
     View* view = next_view();
     if (!view) break;
-    if (!view->pass && view->shown_version == view->wanted_version && view->shown_coarseness == 1) {
-      count_costs(*view);
-      continue;
+    try {
+      if (!view->pass && view->shown_version == view->wanted_version && view->shown_coarseness == 1) {
+        count_costs(*view);
+        continue;
+      }
+      if (!view->pass) begin_pass(*view, interactive);
+      draw_slice(*view, interactive ? slice_ms : std::max(slice_ms, budget_ms / 2));
+    } catch (...) {
+      give_up(*view);
+      throw;
     }
-    if (!view->pass) begin_pass(*view, interactive);
-    draw_slice(*view, interactive ? slice_ms : std::max(slice_ms, budget_ms / 2));
   }
+}
+
+void ViewRenderer::give_up(View& view) {
+  view.pass.reset();
+  view.shown_version = view.wanted_version;
+  view.shown_coarseness = 1;
+  view.is_counted = true;
 }
 
 bool ViewRenderer::is_busy() const {

@@ -26,7 +26,8 @@ class ViewRenderer {
  public:
   explicit ViewRenderer(std::filesystem::path shader_folder);
 
-  /// Works for about `budget_ms`. `interactive`: begin with coarse pictures, since more changes are to come.
+  /// Works for about `budget_ms`. Throws Error when a view cannot be drawn; it keeps its last picture.
+  /// `interactive`: begin with coarse pictures, since more changes are to come.
   void work(const std::array<ViewRequest, view_count>& requests, double budget_ms, bool interactive);
   /// Whether there is anything left to draw.
   bool is_busy() const;
@@ -67,6 +68,7 @@ class ViewRenderer {
   void draw_slice(View& view, double slice_ms);
   void finish_pass(View& view);
   void count_costs(View& view);
+  void give_up(View& view);  ///< what cannot be drawn is not tried again until it changes
 
   Raycaster raycaster_;
   gl::Presenter presenter_;

@@ -80,7 +80,7 @@ std::vector<std::pair<std::string, std::string>> left_out(const Features& f, con
   add(f.peaks, "peaks", no_peaks);
   add(f.peak_table, "peak_table",
       f.peaks
-          ? fmt::format("{} surfaces are few enough to be tested all at once", classification.surfaces.size())
+          ? fmt::format("few enough surfaces ({}) to be tested all at once", classification.surfaces.size())
           : no_peaks);
   add(f.split, "split",
       !f.peaks ? no_peaks
