@@ -8,8 +8,8 @@
 
 namespace crest {
 
-/// A camera that has the whole volume in view of a picture at least as wide as high, from an oblique direction,
-/// with z up.
+/// A camera that has the whole volume in view of a picture at least as wide as high, from an oblique
+/// direction, with z up.
 Camera whole_volume_camera(const Grid& grid, double fov_y_degrees = 30);
 
 /// A camera's axes: orthonormal, w forward, u right, v up. An `up` along the view is replaced by another
