@@ -59,7 +59,7 @@ TEST_F(CommandLine, WordsThatThereAreNot) {
   expect_error(2, {"render"}, {"VOLUME"});
   expect_error(2, {"render", "builtin:sphere"}, {"--output"});
   expect_error(2, {"bogus", "x.nrrd", "-o", "a.png"}, {"x.nrrd"});
-  expect_error(1, {"bogus"}, {"bogus", "no such file"});
+  expect_error(2, {"bogus"}, {"bogus", "neither a command nor a file"});
   expect_error(2, {"list"}, {"WHAT"});
   expect_error(2, {"list", "bogus"}, {"bogus", "volumes", "devices"});
   expect_error(2, {"export", "onion", "--to", "bogus", "-o", path("x")}, {"bogus", "paraview", "csv"});
