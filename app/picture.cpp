@@ -43,6 +43,7 @@ nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Raycaster
   json["samples_per_ray"] = counts.samples / counts.pixels;
   json["dvr_samples_per_ray"] = counts.dvr_samples / counts.pixels;
   json["crossings_per_ray"] = counts.crossings / counts.pixels;
+  json["crossings_left_out_per_ray"] = counts.crossings_left_out / counts.pixels;
   json["samples_per_hit_ray"] = counts.samples / hit_pixels;
   json["dvr_samples_per_hit_ray"] = counts.dvr_samples / hit_pixels;
   json["hit_rays"] = counts.hit_pixels;

@@ -64,8 +64,10 @@ std::string Studio::title() const {
 }
 
 void Studio::start_loading(const std::string& source) {
-  if (loading_.valid())
-    return say(fmt::format("{} has to wait: {} is still being read", source, loading_source_), true);
+  if (loading_.valid()) {
+    next_source_ = source;
+    return say(fmt::format("Reading {}, then {} ...", loading_source_, source));
+  }
   loading_source_ = source;
   say(fmt::format("Reading {} ...", source));
   loading_ = std::async(std::launch::async, [source] {
@@ -80,17 +82,20 @@ void Studio::take_loaded_volume() {
     views_.raycaster().classification(
         make_scene(fresh.volume, document_.preset));  // the driver must hold it, too
     loaded_ = std::move(fresh);
-    document_.volume_source = loaded_.source;
+    if (!loading_for_undo_) document_.volume_source = loaded_.source;
     recent_.add(loaded_.source);
     const glm::ivec3 dims = loaded_.volume->grid.dims;
     say(fmt::format("{}: {}x{}x{} {}{}{}", loaded_.volume->name, dims.x, dims.y, dims.z,
                     name_of(loaded_.volume->file_type), loaded_.volume->note.empty() ? "" : ", ",
                     loaded_.volume->note));
   } catch (const std::exception& error) {
-    document_.volume_source = loaded_.source;  // what was there stays
+    // What was there stays
+    if (document_.volume_source == loading_source_) document_.volume_source = loaded_.source;
     say(error.what(), true);
   }
   loading_source_.clear();
+  loading_for_undo_ = false;
+  if (next_source_) start_loading(*std::exchange(next_source_, std::nullopt));
 }
 
 void Studio::open_preset(const std::string& name_or_path) {
@@ -189,14 +194,26 @@ std::array<ViewRequest, view_count> Studio::view_requests(const StudioRequests& 
 
 void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   take_loaded_volume();
-  const StudioRequests requests = studio_frame(document_, *ui_, inputs(close_requested));
+  StudioInputs shown;
+  try {
+    shown = inputs(close_requested);
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+    shown.message = message_;
+    shown.message_is_error = true;
+    shown.unsaved_changes = has_unsaved_changes();
+    shown.close_requested = close_requested;
+  }
+  const StudioRequests requests = studio_frame(document_, *ui_, shown);
   handle(requests);
   // Undo can bring back another volume
-  if (!loading_.valid() && document_.volume_source != loaded_.source && !document_.volume_source.empty())
+  if (!loading_.valid() && document_.volume_source != loaded_.source && !document_.volume_source.empty()) {
     start_loading(document_.volume_source);
+    loading_for_undo_ = true;
+  }
   try {
     views_.work(view_requests(requests), render_ms, interactive);
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     say(error.what(), true);
   }
   if (!views_.raycaster().shader_error().empty()) say(views_.raycaster().shader_error(), true);

@@ -57,6 +57,8 @@ class Studio {
   Preset saved_;  ///< as the file has it
   Loaded loaded_;
   std::string loading_source_;
+  bool loading_for_undo_ = false;           ///< the document names it already
+  std::optional<std::string> next_source_;  ///< asked for while another one is read
   std::future<Loaded> loading_;
   StudioStatePtr ui_ = make_studio_state();
   ViewRenderer views_;

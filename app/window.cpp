@@ -166,7 +166,7 @@ void Window::set_title(const std::string& title) {
 
 bool has_display() {
   const char* display = std::getenv("DISPLAY");
-  return display && *display;
+  return display && *display && glfwInit();  // a display that does not answer is none
 }
 
 }  // namespace crest

@@ -120,6 +120,24 @@ ValueRange room_of(const std::vector<ControlPoint>& points, std::size_t point, c
   return rooms_of(points, selection)[point];
 }
 
+Selection with_near_flanks(const std::vector<ControlPoint>& points, const Selection& selection,
+                           double reach) {
+  TransferFunction tf;
+  tf.points = points;
+  Selection all = selection;
+  for (const Peak& peak : find_peaks(tf)) {
+    const bool is_selected = std::ranges::any_of(
+        selection, [&](std::size_t i) { return i >= peak.first_point && i <= peak.last_point; });
+    const double apex = points[peak.first_point].value;
+    const bool is_near = apex - points[peak.left].value < reach || points[peak.right].value - apex < reach;
+    if (!is_selected || !is_near) continue;
+    for (std::size_t i = peak.left; i <= peak.right; ++i) all.push_back(i);
+  }
+  std::ranges::sort(all);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
 std::vector<ControlPoint> moved(const std::vector<ControlPoint>& before, const Selection& selection,
                                 double shift, double resolution) {
   const std::vector<ValueRange> rooms = rooms_of(before, selection);
@@ -128,12 +146,12 @@ std::vector<ControlPoint> moved(const std::vector<ControlPoint>& before, const S
     least = std::max(least, rooms[i].min - before[i].value);
     most = std::min(most, rooms[i].max - before[i].value);
   }
-  const double allowed = std::clamp(shift, least, most);
   std::vector<ControlPoint> points = before;
-  for (const std::size_t i : selection) {
-    const double target = round_to_resolution(before[i].value + allowed, resolution);
-    points[i].value = std::clamp(target, rooms[i].min, rooms[i].max);
-  }
+  if (selection.empty()) return points;
+  const double middle = before[selection[selection.size() / 2]].value;
+  const double allowed = round_to_resolution(middle + std::clamp(shift, least, most), resolution) - middle;
+  for (const std::size_t i : selection)
+    points[i].value = std::clamp(before[i].value + allowed, rooms[i].min, rooms[i].max);
   return points;
 }
 

@@ -37,8 +37,12 @@ void erase_points(TransferFunction& tf, const Selection& selection);
 /// selected, or without bound.
 ValueRange room_of(const std::vector<ControlPoint>& points, std::size_t point, const Selection& selection);
 
-/// `before` with the selected points moved by `shift`, as far as all of them have room. Their values are
-/// rounded to a tenth of `resolution`, which 0 leaves out.
+/// The selection, and with the apex of a peak whose flanks are nearer than `reach` the flanks, too: such a
+/// peak moves as a whole, since its apex alone has nowhere to go.
+Selection with_near_flanks(const std::vector<ControlPoint>& points, const Selection& selection, double reach);
+
+/// `before` with the selected points moved by `shift`, as far as all of them have room. The value of one of
+/// them is rounded to a tenth of `resolution`, which 0 leaves out; the others keep their distances.
 std::vector<ControlPoint> moved(const std::vector<ControlPoint>& before, const Selection& selection,
                                 double shift, double resolution);
 

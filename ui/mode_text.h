@@ -12,7 +12,7 @@ constexpr const char* explanation_of(Mode mode) {
     case Mode::peak_only:
       return "The surfaces at the curve's peaks alone";
     case Mode::peak_xor_dvr:
-      return "Surfaces where a step meets them, else samples";
+      return "Surfaces, and samples of the rest: no spike twice";
     case Mode::both:
       break;
   }

@@ -11,6 +11,7 @@
 namespace crest {
 namespace {
 
+constexpr double near_flank = 6;     // pixels: a peak whose flanks are nearer than this moves as a whole
 constexpr float drag_threshold = 3;  // pixels, before a press becomes a drag
 constexpr double wheel_factor = 1.3;
 constexpr double share_of_view = 0.02;  // width of a new peak
@@ -85,8 +86,10 @@ bool drag_points(TransferFunction& tf, EditorState& editor, const Plot& plot, Im
   if (ImGui::GetIO().KeyShift) (std::abs(shift.x) >= std::abs(shift.y) ? shift.y : shift.x) = 0;
   const double per_pixel = plot.axis.value_per_pixel();
   std::vector<ControlPoint> points =
-      shift.x != 0 ? moved(drag.before, editor.selection, double(shift.x) * per_pixel, per_pixel)
-                   : drag.before;
+      shift.x != 0
+          ? moved(drag.before, with_near_flanks(drag.before, editor.selection, near_flank * per_pixel),
+                  double(shift.x) * per_pixel, per_pixel)
+          : drag.before;
   if (shift.y != 0)
     for (const std::size_t i : editor.selection) {
       const double opacity = plot.opacity_at(plot.y_of(drag.before[i].opacity) + shift.y);
@@ -222,7 +225,8 @@ bool handle_plot_keys(TransferFunction& tf, EditorState& editor, const Plot& plo
   const double per_pixel = plot.axis.value_per_pixel();
   const std::vector<ControlPoint> before = tf.points;
   if (across != 0)
-    tf.points = moved(tf.points, editor.selection, double(pixels) * across * per_pixel, 0.1 * per_pixel);
+    tf.points = moved(tf.points, with_near_flanks(tf.points, editor.selection, near_flank * per_pixel),
+                      double(pixels) * across * per_pixel, 0.1 * per_pixel);
   if (upward != 0)
     for (const std::size_t i : editor.selection) {
       const double unit = plot.opacity_axis.unit_of(tf.points[i].opacity);

@@ -5,11 +5,19 @@
 #include <algorithm>
 
 namespace crest {
+namespace {
+
+bool shows_anything(const TransferFunction& tf) {
+  return std::ranges::any_of(tf.points, [](const ControlPoint& p) { return p.opacity > 0; });
+}
+
+}  // namespace
+
 Features needed_features(const Volume& volume, const Classification& classification,
                          const Rendering& rendering, bool statistics) {
   const bool wants_peaks = rendering.mode != Mode::dvr_only;
   Features features;
-  features.dvr = rendering.mode != Mode::peak_only;
+  features.dvr = rendering.mode != Mode::peak_only && shows_anything(classification.tf);
   features.peaks = wants_peaks && !classification.surfaces.empty();
   features.split = features.peaks && features.dvr && rendering.peak_form == PeakForm::split;
   features.one_peak = features.peaks && classification.surfaces.size() == 1;
@@ -76,7 +84,9 @@ std::vector<std::pair<std::string, std::string>> left_out(const Features& f, con
                                : classification.peaks.empty() ? "the transfer function has no peak"
                                : !f.peaks                     ? "no surface lies in the volume's range"
                                                               : "";
-  add(f.dvr, "dvr", "the mode is PEAK_ONLY");
+  add(f.dvr, "dvr",
+      rendering.mode == Mode::peak_only ? "the mode is PEAK_ONLY"
+                                        : "no point of the transfer function has an opacity");
   add(f.peaks, "peaks", no_peaks);
   add(f.peak_table, "peak_table",
       f.peaks
@@ -84,7 +94,7 @@ std::vector<std::pair<std::string, std::string>> left_out(const Features& f, con
           : no_peaks);
   add(f.split, "split",
       !f.peaks ? no_peaks
-      : !f.dvr ? "the mode is PEAK_ONLY"
+      : !f.dvr ? "there is no DVR to be divided"
                : "the peak form is the paper's");
   add(f.extrema, "extrema", !f.peaks ? no_peaks : "the peak form is the paper's");
   add(f.base_tf, "base_tf", "no spike is taken out of the DVR in this mode and form");

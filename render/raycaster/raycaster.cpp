@@ -249,7 +249,8 @@ RenderCounts Raycaster::draw_counted(const Scene& scene, const Camera& camera, g
       sum.samples += counts.x;
       sum.dvr_samples += counts.y;
       sum.crossings += counts.z;
-      if (pass == 0) sum.hit_pixels += counts.w;
+      sum.crossings_left_out += counts.w & 0x7fffffffu;
+      if (pass == 0) sum.hit_pixels += counts.w >> 31;
     }
   });
   return sum;

@@ -21,6 +21,7 @@ struct RenderCounts {
   double samples = 0,
          dvr_samples = 0;  ///< field evaluations (gradient taps apart), and those that DVR classified
   double crossings = 0;
+  double crossings_left_out = 0;  ///< in steps with more than max_peaks
 };
 
 /// The single-pass ray caster. It keeps what the last scenes needed (the volume's texture, the TF's tables,

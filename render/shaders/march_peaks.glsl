@@ -36,6 +36,7 @@ void composite_until_hit(Knot from, Knot hit, bool is_first, float boundary, flo
 struct Interval {
   Knot a, b;
   float before, after, boundary;
+  bool is_first;  // of the span: nothing is known of the field before
 };
 
 #if EXTREMA
@@ -44,7 +45,7 @@ struct Interval {
 bool find_extremum(Ray ray, Interval now, out Knot extremum) {
   float rise_before = now.a.value - now.before, rise_after = now.after - now.b.value;
   float place = (now.b.value - now.a.value - rise_after) / (rise_before - rise_after);
-  if (!(rise_before * rise_after < 0.0 && place > 0.0 && place < 1.0)) return false;
+  if (now.is_first || !(rise_before * rise_after < 0.0 && place > 0.0 && place < 1.0)) return false;
   extremum.t = mix(now.a.t, now.b.t, place);
   extremum.value = field(at(ray, extremum.t));
   return extremum.value > max(now.a.value, now.b.value) || extremum.value < min(now.a.value, now.b.value);
@@ -105,6 +106,10 @@ bool composite_interval(Ray ray, Interval now, out float before) {
       k = next_crossed(candidates, k + 1u, before, a, b);
     }
     again = k < candidates.count && found < max_peaks;
+#if STATISTICS
+    for (uint left = k; !again && left < candidates.count; left = next_crossed(candidates, left + 1u, before, a, b))
+      COUNT_LEFT_OUT;
+#endif
 #if EXTREMA
     if (!again && parts_left) {
       parts_left = false;
@@ -144,7 +149,7 @@ void march(Ray ray, Sampling s, int first, int last) {
   float t = sample_at(s, first - 1);
   float f1 = field(at(ray, t));
   float f2 = field(at(ray, sample_at(s, first)));
-  float f0 = first > 0 ? field(at(ray, sample_at(s, first - 2))) : f2;
+  float f0 = first > 0 ? field(at(ray, sample_at(s, first - 2))) : f1;  // at the entry nothing is known of before
   float f3 = f2;
   if (first < s.n) f3 = field(at(ray, sample_at(s, first + 1)));
   float share = 1.0;   // of a step that the next sample stands for
@@ -165,9 +170,11 @@ void march(Ray ray, Sampling s, int first, int last) {
       material = material_at(ray, s.span.enter + (float(i) + 0.5) * s.dt, f2);
       material.a *= share;
       share = 1.0;
+      if (i < s.n) COUNT_DVR_SAMPLE;
 #elif DVR
       vec4 material = material_at(ray, s.span.enter + (float(i) + 0.5) * s.dt, f2);
       composite(material.rgb, opacity_of(i < s.n ? material.a * share * s.dt : 0.0));
+      if (i < s.n && share > 0.0) COUNT_DVR_SAMPLE;
       share = 1.0;
 #endif
       f0 = f1;
@@ -185,7 +192,7 @@ void march(Ray ray, Sampling s, int first, int last) {
     done = cut_sample == i - 1 ? cut : boundary - s.dt;
     sample_material = vec4(material.rgb, i > 0 ? material.a * s.dt / (boundary - done) : 0.0);
 #endif
-    bool crossed = composite_interval(ray, Interval(a, b, f0, f3, boundary), f1);
+    bool crossed = composite_interval(ray, Interval(a, b, i == 0 ? f2 : f0, f3, boundary, i == 0), f1);
     cleared = i;
     if (crossed) {
 #if DVR && SPLIT
@@ -206,8 +213,5 @@ void march(Ray ray, Sampling s, int first, int last) {
     float before_sample = (end - 0.5 * s.dt - begin) / (end - begin);
     composite(material.rgb, opacity_of(material.a * s.dt * before_sample));
   }
-#endif
-#if STATISTICS && DVR
-  counts.y += uint(max(0, min(last, s.n) - first));
 #endif
 }

@@ -56,12 +56,10 @@ void march(Ray ray, Sampling s, int first, int last) {
   for (int i = first; i < last; ++i) {
     float t = s.span.enter + (float(i) + 0.5) * s.dt;
     vec4 material = classify(field(at(ray, t)));
+    COUNT_DVR_SAMPLE;
     composite(material.rgb * LIGHT(t), opacity_of(material.a * s.dt));
     if (TERMINATED) break;
   }
-#if STATISTICS
-  counts.y = counts.x;
-#endif
 }
 #else
 int interval_total(Sampling s) { return 0; }
@@ -91,7 +89,7 @@ void main() {
     march_slice(ray, box, index);
 #endif
 #if STATISTICS
-    counts.w = 1u;
+    counts.w |= 0x80000000u;
 #endif
   }
   out_color = collected;

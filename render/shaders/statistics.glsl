@@ -1,10 +1,15 @@
 // Counters of what a ray costs. Without STATISTICS they are not there.
 #if STATISTICS
-layout(location = 1) out uvec4 out_counts;  // field evaluations, those of DVR, crossings, 1 if the box is hit
+layout(location = 1) out uvec4 out_counts;  // field evaluations, those of DVR, crossings, and those left
+                                            // out by max_peaks, with the highest bit where the box is hit
 uvec4 counts = uvec4(0u);
 #define COUNT_SAMPLE ++counts.x
+#define COUNT_DVR_SAMPLE ++counts.y
 #define COUNT_CROSSING ++counts.z
+#define COUNT_LEFT_OUT ++counts.w
 #else
 #define COUNT_SAMPLE
+#define COUNT_DVR_SAMPLE
+#define COUNT_LEFT_OUT
 #define COUNT_CROSSING
 #endif

@@ -158,7 +158,9 @@ TEST_F(March, EarlyTermination) {
   const double all_samples = count(scene, camera, {48, 48}).samples;
   scene.rendering.early_termination = 0.004;
   EXPECT_LT(largest_difference(whole, render(scene, camera, {48, 48})), 0.004);
-  EXPECT_LT(count(scene, camera, {48, 48}).samples, 0.9 * all_samples);
+  const RenderCounts counts = count(scene, camera, {48, 48});
+  EXPECT_LT(counts.samples, 0.9 * all_samples);
+  EXPECT_LE(counts.dvr_samples, counts.samples);
 }
 
 // The counters against what the design says a ray costs.
@@ -181,6 +183,24 @@ TEST_F(March, SamplesAreCounted) {
     EXPECT_EQ(counts.dvr_samples, 16 * 16);
     EXPECT_EQ(counts.crossings, 16);
   }
+}
+
+// Crossings beyond max_peaks in one step are left out, and counted.
+TEST_F(March, CrossingsLeftOutAreCounted) {
+  Grid grid{glm::ivec3(9), glm::dvec3(1), glm::dvec3(0)};
+  const auto volume = make_volume(grid, [](glm::dvec3 p) { return p.z / 8; });
+  std::vector<ControlPoint> points{point(0, 0)};
+  for (int i = 1; i <= 6; ++i)
+    points.insert(points.end(), {point(0.1 * i - 1e-3, 0), point(0.1 * i, 0.2), point(0.1 * i + 1e-3, 0)});
+  points.push_back(point(1, 0));
+  Scene scene{volume, make_tf(points), {}};
+  scene.rendering.mode = Mode::peak_only;
+  scene.rendering.step = 8;  // one sample, in the middle: four of the six lie before it
+  scene.rendering.max_peaks = 3;
+  const RenderCounts counts = count(scene, along_z(grid, 4), {4, 4});
+  EXPECT_EQ(counts.crossings + counts.crossings_left_out, 16 * 6);
+  EXPECT_EQ(counts.crossings_left_out, 16);
+  EXPECT_EQ(counts.hit_pixels, 16);
 }
 
 // What the studio compiles depends on the scene alone, and leaves out what it does not need.

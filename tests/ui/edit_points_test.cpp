@@ -150,5 +150,26 @@ TEST(ErasePoints, TakesTheSelectedOnly) {
   EXPECT_EQ(tf.points[1].value, 3);
 }
 
+// A peak narrower than a handle moves as a whole, and keeps its width to the last digits.
+TEST(Moved, ANarrowPeakGoesWithItsFlanks) {
+  TransferFunction tf;
+  for (const auto& [value, opacity] :
+       {std::pair{0.0, 0.0}, {0.1 - 5e-5, 0.1}, {0.1, 0.9}, {0.1 + 5e-5, 0.1}, {1.0, 0.0}}) {
+    ControlPoint p;
+    p.value = value;
+    p.opacity = opacity;
+    tf.points.push_back(p);
+  }
+  const Selection moving = with_near_flanks(tf.points, {2}, 0.01);
+  EXPECT_EQ(moving, (Selection{1, 2, 3}));
+  EXPECT_EQ(with_near_flanks(tf.points, {2}, 1e-6), (Selection{2}));
+  const auto points = moved(tf.points, moving, 0.3, 0.002);
+  EXPECT_NEAR(points[2].value, 0.4, 2e-4);
+  EXPECT_NEAR(points[3].value - points[1].value, 1e-4, 1e-15);
+  tf.points = points;
+  ASSERT_EQ(find_peaks(tf).size(), 1u);
+  EXPECT_TRUE(find_peaks(tf)[0].spike);
+}
+
 }  // namespace
 }  // namespace crest
