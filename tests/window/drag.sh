@@ -3,14 +3,7 @@
 # the frame times and the times from an edit to each view in LOG, as JSON.
 set -eu
 program=$1 log=$2 volume=${3:-builtin:plume?n=128} preset=${4:-dirac-shell}
-if [ -z "${CREST_IN_XVFB:-}" ]; then
-  CREST_IN_XVFB=1 exec xvfb-run -a -s "-screen 0 1720x1160x24" "$0" "$@"
-fi
 source "$(dirname "$0")/drive.sh"
-work=$(mktemp -d)
-trap 'kill %1 2>/dev/null || true; rm -rf "$work"' EXIT
-layout=$work/layout
-export XDG_CONFIG_HOME=$work/config
 
 timeout 100 "$program" "$volume" --preset "$preset" --log-layout "$layout" --log-frames "$log" &
 wait_for 30 has_widget view0

@@ -1,4 +1,12 @@
-# Shared by the scripts that drive the studio's window with xdotool. Needs: program, layout (a file name).
+# Shared by the scripts that drive the studio's window with xdotool: starts again under Xvfb where it is not there yet, and
+# gives a folder `work` that goes with the script, the file `layout` in it, and a configuration of its own.
+if [ -z "${CREST_IN_XVFB:-}" ]; then
+  CREST_IN_XVFB=1 exec xvfb-run -a -s "-screen 0 1720x1160x24" "$0" "$@"
+fi
+work=$(mktemp -d)
+trap 'kill %1 2>/dev/null || true; rm -rf "$work"' EXIT
+layout=$work/layout
+export XDG_CONFIG_HOME=$work/config
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
 

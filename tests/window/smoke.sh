@@ -2,15 +2,8 @@
 # smoke.sh PROGRAM PRESET SCREENSHOT: the studio in a real window: open, drag a point, undo, redo, save, quit.
 set -eu
 program=$1 preset=$2 screenshot=$3
-if [ -z "${CREST_IN_XVFB:-}" ]; then
-  CREST_IN_XVFB=1 exec xvfb-run -a -s "-screen 0 1720x1160x24" "$0" "$@"
-fi
 source "$(dirname "$0")/drive.sh"
-work=$(mktemp -d)
-trap 'kill %1 2>/dev/null || true; rm -rf "$work"' EXIT
-layout=$work/layout
 cp "$preset" "$work/preset.json"
-export XDG_CONFIG_HOME=$work/config
 
 timeout 100 "$program" "builtin:plume?n=64" --preset "$work/preset.json" --log-layout "$layout" &
 wait_for 30 has_widget view0
