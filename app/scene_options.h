@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "render/raycaster/scene.h"
+#include "render/scene.h"
 
 namespace crest {
 

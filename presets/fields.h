@@ -37,16 +37,24 @@ concept Either = std::same_as<std::remove_const_t<Self>, T>;
 // in which they are written. Reading, validation, writing and setting a field by its path all come from
 // these lists: a new field is a new line here.
 
+template <Either<ClipBox> Self, class Field>
+void visit_fields(Self& box, Field&& field) {
+  field("min", box.min, required(any_value));
+  field("max", box.max, required(any_value));
+}
+
 template <Either<Rendering> Self, class Field>
 void visit_fields(Self& rendering, Field&& field) {
   field("mode", rendering.mode, always_written());
   field("peak_form", rendering.peak_form, any_value);
   field("engine", rendering.engine, always_written());
   field("step", rendering.step, FieldRule{.min = 1e-3});  // a ray has a finite number of them
+  field("placement", rendering.placement, any_value);
   field("max_peaks", rendering.max_peaks, FieldRule{.min = 1, .max = 64});
   field("peak_bins", rendering.peak_bins, FieldRule{.min = 1, .max = 4096});
   field("shading", rendering.shading, any_value);
   field("early_termination", rendering.early_termination, unit_interval);
+  field("clip_box", rendering.clip_box, any_value);
   field("background", rendering.background, unit_interval);
 }
 

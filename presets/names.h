@@ -33,7 +33,15 @@ struct EnumNames<PeakForm> {
 };
 template <>
 struct EnumNames<Engine> {
-  static constexpr Named<Engine> table[] = {{Engine::raycaster, "raycaster"}};
+  static constexpr Named<Engine> table[] = {{Engine::raycaster, "raycaster"},
+                                            {Engine::reference, "reference"}};
+};
+template <>
+struct EnumNames<Placement> {
+  static constexpr Named<Placement> table[] = {{Placement::eye, "eye"},
+                                               {Placement::entry, "entry"},
+                                               {Placement::entry_exit, "entry_exit"},
+                                               {Placement::entry_exit_corner, "entry_exit_corner"}};
 };
 template <>
 struct EnumNames<Shading> {

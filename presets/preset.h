@@ -12,20 +12,33 @@ namespace crest {
 enum class Mode { both, peak_xor_dvr, peak_only, dvr_only };
 /// How a step that holds crossings is integrated: as published, or divided at its crossings.
 enum class PeakForm { split, paper };
-enum class Engine { raycaster };
+enum class Engine { raycaster, reference };
+/// Where a ray's samples lie (Steneteg et al., Listings 1 to 4): in segments of exactly one step counted from
+/// the eye or from the entry, the last one sticking out; or in equal segments from entry to exit, rounded
+/// down (none in a corner shorter than a step) or up.
+enum class Placement { eye, entry, entry_exit, entry_exit_corner };
 enum class Shading { none, gradient };
+
+/// Only what lies in this box is rendered: it brings new entry and exit points, and changes nothing else.
+struct ClipBox {
+  glm::dvec3 min{0}, max{1};  ///< world units; min < max on each axis
+  std::string unknown;
+  bool operator==(const ClipBox&) const = default;
+};
 
 /// How a picture is made. Every field is one of the preset's JSON fields under "rendering".
 struct Rendering {
   Mode mode = Mode::both;
   PeakForm peak_form = PeakForm::split;
   Engine engine = Engine::raycaster;
-  double step = 0.5;    ///< at least 1e-3, in units of the smallest spacing
+  double step = 0.5;  ///< at least 1e-3, in units of the smallest spacing
+  Placement placement = Placement::entry_exit_corner;
   int max_peaks = 4;    ///< most crossings that one step composites, 1..64
   int peak_bins = 128;  ///< bins of the peak table on each axis, 1..4096
   Shading shading = Shading::none;
   double early_termination = 0;  ///< residual transmittance at which a ray stops; 0 = never
-  glm::dvec3 background{0};      ///< display-referred RGB in [0, 1]
+  std::optional<ClipBox> clip_box;
+  glm::dvec3 background{0};  ///< display-referred RGB in [0, 1]
   std::string unknown;
   bool operator==(const Rendering&) const = default;
 };

@@ -80,6 +80,15 @@ void read(const Json& json, const Path& path, T& value, const FieldRule&) {
 template <Fielded T>
 Json read(const Json& json, const Path& path, T& values, const FieldRule&);
 
+/// What one field's rule cannot say.
+void check_whole(const ClipBox& box, const Path& path) {
+  for (int i = 0; i < 3; ++i)
+    if (!(box.min[i] < box.max[i]))
+      fail(path, fmt::format("min {} is not less than max {} on axis {}", box.min[i], box.max[i], "xyz"[i]));
+}
+template <class T>
+void check_whole(const T&, const Path&) {}
+
 template <class T>
 void read(const Json& json, const Path& path, std::optional<T>& value, const FieldRule& rule) {
   value.reset();
@@ -126,6 +135,7 @@ Json read(const Json& json, const Path& path, T& values, const FieldRule&) {
   });
   for (const auto& item : json.items())
     if (!known.contains(item.key())) unknown[item.key()] = item.value();
+  check_whole(values, path);
   if constexpr (KeepsUnknown<T>) {
     values.unknown = unknown.empty() ? "" : unknown.dump();
     return Json::object();

@@ -6,7 +6,7 @@
 
 #include "render/gl/render_target.h"
 #include "render/raycaster/features.h"
-#include "render/raycaster/scene.h"
+#include "render/scene.h"
 
 namespace crest {
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "presets/preset.h"
+
+namespace crest {
+
+/// The exact answers: what a picture would be without any error of sampling.
+enum class Answer {
+  integral,                ///< the volume rendering integral of the TF
+  crossings,               ///< the peaks at their crossings, nothing else
+  integral_and_crossings,  ///< both
+  base_and_crossings,      ///< the integral of the base TF, and the peaks at their crossings
+};
+
+/// "integral", "crossings", "integral+crossings", "base+crossings": as they are called in every report.
+std::string_view name_of(Answer answer);
+
+/// What the error of such a picture is measured against: DVR_ONLY the first, PEAK_ONLY the second, both the
+/// third, PEAK_XOR_DVR in the split form the fourth, and in the paper's form the last two. The first of the
+/// list is that of
+/// `--engine reference`.
+std::vector<Answer> answers_of(const Rendering& rendering);
+
+}  // namespace crest
