@@ -11,8 +11,9 @@ vec4 material_at(Ray ray, float t, float value) {
 #endif
 
 #if DVR && SPLIT
-// The part of the ray that is not composited yet begins at `done`, in the segment of a sample of this material.
-float done;
+// The part of the ray that is not composited yet begins at `done`, in the segment of a sample of this material; after
+// a crossing the field is `done_value` there.
+float done, done_value;
 vec4 sample_material;
 
 // Composites up to a crossing: the piece that holds the sample with the sample's material, to the end of its segment;
@@ -28,6 +29,14 @@ void composite_until_hit(Knot from, Knot hit, bool is_first, float boundary, flo
   vec4 material = classify(mix(from.value, hit.value, place));
   composite(material.rgb * light_at_hit, opacity_of(material.a * size));
   done = max(done, hit.t);
+  done_value = hit.value;
+}
+
+// What is left of the ray after the last crossing, where no sample follows.
+void composite_rest(Ray ray, Knot exit) {
+  float size = max(exit.t - done, 0.0);
+  vec4 material = material_at(ray, exit.t - 0.5 * size, mix(done_value, exit.value, 0.5));
+  composite(material.rgb, opacity_of(material.a * size));
 }
 #endif
 
@@ -45,7 +54,8 @@ struct Interval {
 bool find_extremum(Ray ray, Interval now, out Knot extremum) {
   float rise_before = now.a.value - now.before, rise_after = now.after - now.b.value;
   float place = (now.b.value - now.a.value - rise_after) / (rise_before - rise_after);
-  if (now.is_first || !(rise_before * rise_after < 0.0 && place > 0.0 && place < 1.0)) return false;
+  bool turns = rise_before < 0.0 ? rise_after > 0.0 : rise_before > 0.0 && rise_after < 0.0;  // no product: it underflows
+  if (now.is_first || !turns || !(place > 0.0 && place < 1.0)) return false;
   extremum.t = mix(now.a.t, now.b.t, place);
   extremum.value = field(at(ray, extremum.t));
   return extremum.value > max(now.a.value, now.b.value) || extremum.value < min(now.a.value, now.b.value);
@@ -196,6 +206,7 @@ void march(Ray ray, Sampling s, int first, int last) {
     cleared = i;
     if (crossed) {
 #if DVR && SPLIT
+      if (i == s.n) composite_rest(ray, b);
       material.a = 0.0;
       cut = done;
       cut_sample = i;
