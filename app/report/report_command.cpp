@@ -22,10 +22,17 @@ namespace fs = std::filesystem;
 
 struct ReportOptions {
   SceneOptions scene;
-  PictureOptions picture{.size = "256x256"};  ///< its output is a folder
-  std::string study, budget = "120s", target = to_string(default_target());
+  std::string output, size = "256x256", study, budget = "120s", target = to_string(default_target());
+  int device = -1;
+  bool json = false;
   std::string command;  ///< as typed
 };
+
+glm::ivec2 pixels_of(const ReportOptions& options) {
+  PictureOptions picture;
+  picture.size = options.size;
+  return picture.pixels();
+}
 
 /// "120s", "2m", "1.5h", "90"; "none" is without a limit.
 std::optional<double> budget_seconds(const std::string& text) {
@@ -69,8 +76,8 @@ std::string command_text(const CLI::App& command) {
   std::string text = "crest " + command.get_name();
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& value : option->results()) {
-      if (!option->get_positional()) text += " " + option->get_name();
-      if (option->get_items_expected_max() > 0) text += " " + shell_word(value);
+      if (!option->get_positional()) text += fmt::format(" {}", option->get_name());
+      if (option->get_items_expected_max() > 0) text += fmt::format(" {}", shell_word(value));
     }
   }
   return text;
@@ -96,7 +103,7 @@ std::string render_command(const SceneOptions& scene, const Method& method, doub
 
 Report subject_of(const ReportOptions& options) {
   Report report;
-  report.size = options.picture.pixels();
+  report.size = pixels_of(options);
   report.settings.budget_seconds = budget_seconds(options.budget);
   report.settings.target = target_error(options.target);
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
@@ -117,7 +124,7 @@ Report subject_of(const ReportOptions& options) {
 
 void make_report(const ReportOptions& options, std::stop_token stop) {
   Report report = subject_of(options);
-  const OffscreenContext context(options.picture.device);
+  const OffscreenContext context(options.device);
   report.subject.renderer = context.renderer();
   {
     ProgressLine progress(report.settings.budget_seconds);
@@ -127,7 +134,7 @@ void make_report(const ReportOptions& options, std::stop_token stop) {
       progress.show(doing, done, report.points.size(), taken.count());
     });
   }
-  const fs::path folder = options.picture.output;
+  const fs::path folder = options.output;
   if (report.points.empty())
     throw Error(fmt::format("{}: nothing was measured: {}", folder.string(),
                             stop.stop_requested() ? "stopped before the first point"
@@ -135,20 +142,20 @@ void make_report(const ReportOptions& options, std::stop_token stop) {
                                 ? "no method is left"
                                 : report.left_out.front().what + ": " + report.left_out.front().why));
   const Json json = write_report(report, folder);
-  if (options.picture.json) fmt::print("{}", print_json(json));
+  if (options.json) fmt::print("{}", print_json(json));
   if (report.stopped)
     throw Error(fmt::format("stopped after {} points; {} has what was measured", report.points.size(),
                             (folder / "report.html").string()));
-  if (!options.picture.json) fmt::print("{}\n", (folder / "report.html").string());
+  if (!options.json) fmt::print("{}\n", (folder / "report.html").string());
 }
 
 void run_study(const ReportOptions& options, std::stop_token stop) {
   StudyOptions study_options;
-  study_options.folder = options.picture.output;
-  study_options.size = options.picture.pixels();
+  study_options.folder = options.output;
+  study_options.size = pixels_of(options);
   study_options.budget_seconds = budget_seconds(options.budget);
-  study_options.device = options.picture.device;
-  study_options.json = options.picture.json;
+  study_options.device = options.device;
+  study_options.json = options.json;
   study_options.command = options.command;
   study_options.stop = stop;
   find_study(options.study).run(study_options);
@@ -157,7 +164,7 @@ void run_study(const ReportOptions& options, std::stop_token stop) {
 /// Makes the folder before any work, and takes it away again if nothing came into it.
 void run_in_folder(const ReportOptions& options) {
   if (!options.study.empty()) find_study(options.study);
-  const fs::path folder = options.picture.output;
+  const fs::path folder = options.output;
   std::error_code fault;
   const bool is_new = fs::create_directories(folder, fault);
   if (fault || !fs::is_directory(folder))
@@ -188,10 +195,10 @@ void add_report_command(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("report", "Measure error against run time, and write a report");
   CLI::Option* volume = command->add_option("VOLUME", options->scene.volume, "What to render (crest --help)");
   options->scene.add_to(*command);
-  command->add_option("-o,--output", options->picture.output, "The folder of the report")
+  command->add_option("-o,--output", options->output, "The folder of the report")
       ->required()
       ->type_name("DIR");
-  command->add_option("--size", options->picture.size, "Width x height in pixels")
+  command->add_option("--size", options->size, "Width x height in pixels")
       ->capture_default_str()
       ->type_name("WxH");
   command->add_option("--budget", options->budget, "Time for all of it: 90s, 2m, 1h, or none")
@@ -204,9 +211,9 @@ void add_report_command(CLI::App& app, Action& chosen) {
       ->capture_default_str()
       ->type_name("MEASURE=X");
   command->add_option("--study", options->study, study_help())->type_name("NAME")->excludes(volume);
-  command->add_option("--device", options->picture.device,
+  command->add_option("--device", options->device,
                       "Graphics device (crest list devices); hardware first by default");
-  command->add_flag("--json", options->picture.json, "Print report.json, too");
+  command->add_flag("--json", options->json, "Print report.json, too");
   command->callback([options, command, &chosen] {
     if (options->study.empty() && options->scene.volume.empty())
       throw CLI::RequiredError("VOLUME, or --study");

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/report/report_pictures.h"
+#include "presets/names.h"
 #include "presets/preset_json.h"
 #include "render/measure/flip.h"
 #include "render/measure/pareto.h"
