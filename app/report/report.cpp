@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "render/measure/measure_scene.h"
-#include "render/measure/pareto.h"
+#include "render/measure/method_convergence.h"
 
 namespace crest {
 
@@ -17,7 +17,7 @@ std::vector<std::size_t> pictured_points(const std::vector<Measurement>& points,
     if (!is_first && distance(i) < distance(best->second)) best->second = i;
   }
   for (const auto& [method, index] : typical) chosen.push_back(index);
-  for (const Convergence& convergence : convergence_of(points, target))
+  for (const MethodConvergence& convergence : convergence_of(points, target))
     if (convergence.cheapest) chosen.push_back(*convergence.cheapest);
   std::ranges::sort(chosen);
   const auto repeated = std::ranges::unique(chosen);

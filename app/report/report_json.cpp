@@ -10,6 +10,7 @@
 #include "presets/names.h"
 #include "presets/preset_json.h"
 #include "render/measure/flip.h"
+#include "render/measure/method_convergence.h"
 #include "render/measure/pareto.h"
 
 namespace crest {
@@ -84,7 +85,7 @@ Json answer_json(const Report& report, Answer answer, const Reference& exact) {
   return json;
 }
 
-Json convergence_json(const Convergence& convergence) {
+Json convergence_json(const MethodConvergence& convergence) {
   Json json{{"answer", name_of(convergence.answer)},
             {"order", nullptr},
             {"cheapest", index_or_null(convergence.cheapest)}};
@@ -97,14 +98,15 @@ Json convergence_json(const Convergence& convergence) {
   return json;
 }
 
-Json method_json(const Report& report, const Method& method, const std::vector<Convergence>& convergences) {
+Json method_json(const Report& report, const Method& method,
+                 const std::vector<MethodConvergence>& convergences) {
   Json json{{"id", method.id}, {"name", method.name}, {"settings", method.settings}};
   const auto start = std::ranges::find(report.starts, method.id, &MethodStart::method);
   json["first_frame_ms"] = start == report.starts.end() ? Json() : Json(start->first_frame_ms);
   json["edit_ms"] = start == report.starts.end() ? Json() : Json(start->edit_ms);
   json["started_at_step"] = start == report.starts.end() ? Json() : Json(start->step);
   json["convergence"] = Json::array();
-  for (const Convergence& convergence : convergences)
+  for (const MethodConvergence& convergence : convergences)
     if (convergence.method == method.id) json["convergence"].push_back(convergence_json(convergence));
   return json;
 }
