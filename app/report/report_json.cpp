@@ -88,7 +88,8 @@ Json answer_json(const Report& report, Answer answer, const Reference& exact) {
 Json convergence_json(const MethodConvergence& convergence) {
   Json json{{"answer", name_of(convergence.answer)},
             {"order", nullptr},
-            {"cheapest", index_or_null(convergence.cheapest)}};
+            {"cheapest", index_or_null(convergence.cheapest)},
+            {"steady", convergence.steady}};
   if (const auto& fit = convergence.fit) {
     json["order"] = fit->order;
     json["fitted_from"] = fit->coarsest;

@@ -41,12 +41,24 @@ std::optional<OrderFit> fit_of(const std::string& method, Answer answer,
   return fit_finest_order(steps, rmse);
 }
 
+void find_target(MethodConvergence& c, std::span<const Measurement> measured, const TargetError& target) {
+  for (const AnswerPoint& p : points_against(measured, c.answer, *target.measure))
+    if (measured[p.index].method == c.method && p.point.error <= target.most &&
+        (!c.cheapest || p.point.ms < measured[*c.cheapest].frame_ms))
+      c.cheapest = p.index;
+  for (const Measurement& m : measured)
+    if (const ImageError* error = m.error_against(c.answer);
+        c.cheapest && m.method == c.method && m.step < measured[*c.cheapest].step && error)
+      c.steady = c.steady && target.is_met(*error);
+}
+
 }  // namespace
 
 std::optional<OrderFit> fit_finest_order(std::span<const double> steps, std::span<const double> rmse) {
   std::size_t end = rmse.size();
   while (end > 1 && is_rounding(rmse[end - 1], rmse[end - 2])) --end;
-  for (; end >= least_points; --end)
+  const std::size_t last_end = std::max(least_points, end - std::min<std::size_t>(end, 1));
+  for (; end >= last_end; --end)
     for (std::size_t count = end; count >= least_points; --count) {
       const auto run_steps = steps.subspan(end - count, count), run_rmse = rmse.subspan(end - count, count);
       const auto fit = fit_order(run_steps, run_rmse, 0, int(count));
@@ -64,11 +76,7 @@ std::vector<MethodConvergence> convergence_of(std::span<const Measurement> measu
       if (std::ranges::none_of(list, is_this))
         list.push_back({m.method, answer, fit_of(m.method, answer, measured), {}});
     }
-  for (MethodConvergence& c : list)
-    for (const AnswerPoint& p : points_against(measured, c.answer, *target.measure))
-      if (measured[p.index].method == c.method && p.point.error <= target.most &&
-          (!c.cheapest || p.point.ms < measured[*c.cheapest].frame_ms))
-        c.cheapest = p.index;
+  for (MethodConvergence& c : list) find_target(c, measured, target);
   return list;
 }
 

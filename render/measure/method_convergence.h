@@ -18,6 +18,8 @@ struct MethodConvergence {
   std::optional<OrderFit> fit;
   /// The index of the fastest of its points that meets the target.
   std::optional<std::size_t> cheapest;
+  /// All its finer steps meet it, too; else the cheapest one may owe it to chance.
+  bool steady = true;
 };
 
 /// One for each method and answer that were measured, in the order in which they appear.

@@ -65,6 +65,15 @@ TEST(MethodConvergence, TellsTheCheapestPointUnderTheTarget) {
   ASSERT_TRUE(at("rmse=1e-3"));
   EXPECT_EQ(measured[*at("rmse=1e-3")].step, 0.25);
   EXPECT_FALSE(at("rmse=1e-7"));
+  EXPECT_TRUE(convergence_of(measured, parse_target("rmse=1e-3")).front().steady);
+}
+
+TEST(MethodConvergence, SaysWhereFinerStepsMissTheTargetAgain) {
+  const auto measured = ladder([](double step) { return step == 1 ? 1e-4 : 0.01 * step * step; });
+  const auto lucky = convergence_of(measured, parse_target("rmse=1e-3")).front();
+  ASSERT_TRUE(lucky.cheapest);
+  EXPECT_EQ(measured[*lucky.cheapest].step, 1);
+  EXPECT_FALSE(lucky.steady);
 }
 
 }  // namespace

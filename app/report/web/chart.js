@@ -135,7 +135,7 @@ function drawGrid(chart, a) {
     if (e < a.yLow || e > a.yHigh) continue;
     const py = a.y(10 ** e);
     chart.append(svg("line", {class: "grid-line", x1: a.left, x2: a.right, y1: py, y2: py}),
-                 svg("text", {x: a.left - 8, y: py + 4, "text-anchor": "end"}, e >= -2 ? number(10 ** e) : `10${superscript(e)}`));
+                 svg("text", {x: a.left - 8, y: py + 4, "text-anchor": "end"}, e >= -3 ? number(10 ** e) : `10${superscript(e)}`));
   }
   if (a.hasZero)
     chart.append(svg("line", {class: "grid-line", x1: a.left, x2: a.right, y1: a.floor, y2: a.floor}),

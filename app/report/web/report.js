@@ -1,12 +1,20 @@
 // The page of `crest report`, from the JSON that docs/report.schema.json describes.
 
-const methodOf = Object.fromEntries(data.methods.map((m, n) => [m.id, {...m, number: n}]));
+data.answers.sort((a, b) => b.own - a.own);  // the scene's own first
+const methodOf = Object.fromEntries(data.methods.map((m) => [m.id, m]));
 const target = data.settings.target;
 const targetName = data.measures.find((m) => m.id === target.measure).name;
 const clocks = {frame_ms: "wall clock, until the device has finished", device_ms: "the device's own clock"};
 
 function errorAgainst(point, answer) { return point.errors.find((e) => e.answer === answer); }
 function pointTitle(point) { return point.step === null ? methodOf[point.method].name : `${methodOf[point.method].name}, step ${stepText(point.step)}`; }
+
+function convergenceOf(point, answer) { return methodOf[point.method].convergence.find((c) => c.answer === answer); }
+
+// A command that breaks between its options only, and is copied as it is.
+function command(text) {
+  return element("code", {class: "command"}, text.split(/ (?=-)/).flatMap((part) => [element("span", {class: "word"}, part), " "]));
+}
 
 function errorText(measure, value) {
   return value === null ? "–" : ["share", "missed", "invented"].includes(measure) ? percent(value) : number(value);
@@ -27,11 +35,10 @@ function errorSummary(error) {
 // The points of each method against an answer, from coarse to fine.
 function seriesAgainst(answer) {
   return data.methods
-      .map((method, n) => ({method, name: method.name,
+      .map((method, n) => ({name: method.name, style: seriesStyle(n),
                             points: data.points.filter((p) => p.method === method.id && errorAgainst(p, answer))
                                         .sort((a, b) => b.step - a.step)}))
-      .filter((s) => s.points.length)
-      .map((s, n) => ({...s, style: seriesStyle(n)}));
+      .filter((s) => s.points.length);
 }
 
 function pointTip(point, answer) {
@@ -91,7 +98,8 @@ function recommendationOf(answer) {
   return element("div", {class: "panel"}, element("h3", {class: "soft"}, head),
                  element("div", {class: answer.own ? "lead" : ""}, `${pointTitle(point)}: ${ms(point.frame_ms)} a frame`),
                  element("p", {class: "small soft"}, errorSummary(errorAgainst(point, answer.name))),
-                 element("code", {class: "command"}, point.command));
+                 convergenceOf(point, answer.name).steady ? null : element("p", {class: "small never"}, "Some finer steps miss the target again: this one may owe it to chance."),
+                 command(point.command));
 }
 
 function fillRecommendation() {
@@ -109,10 +117,11 @@ function fillConvergence() {
     const order = c.order === null ? element("span", {class: "soft"}, "none") : element("span", {}, c.order.toFixed(2));
     return [method.name, c.answer, {number: order},
             c.order === null ? "–" : `${stepText(c.fitted_from)} to ${stepText(c.fitted_to)} (${c.fitted_points} steps)`,
-            point ? {number: stepText(point.step)} : {number: element("span", {class: "never"}, "never reached")},
+            point ? {number: stepText(point.step) + (c.steady ? "" : " *")} : {number: element("span", {class: "never"}, "never reached")},
             {number: point ? ms(point.frame_ms) : ""}];
   }));
-  fillTable(byId("convergence"), ["Method", "against", {number: "Order"}, "fitted on steps", {number: "Target from step"}, {number: "at"}], rows);
+  byId("unsteady").hidden = data.methods.every((m) => m.convergence.every((c) => c.steady));
+  fillTable(byId("convergence"), ["Method", "against", {number: "Order"}, "fitted on steps", {number: "Target at step"}, {number: "at"}], rows);
 }
 
 function fillScale() {
@@ -139,7 +148,8 @@ function fillPictures() {
     const shown = seriesAgainst(answer.name).flatMap((s) => s.points).filter((p) => p.picture);
     if (!shown.length) continue;
     const exact = element("div", {class: "panel"}, element("h3", {}, `exact: ${answer.name}`),
-                          element("div", {class: "pair"}, figure(answer.picture, `${number(answer.crossings_per_ray)} crossings a ray`), element("figure")));
+                          element("div", {class: "pair"}, figure(answer.picture, "solved ray by ray, in double"),
+                                  element("figure", {}, element("p", {class: "small soft"}, `${number(answer.crossings_per_ray)} crossings of surfaces a ray.`))));
     byId("pictures").append(element("h3", {style: "margin-top: 22px"}, `against ${answer.name}`),
                             element("div", {class: "grid"}, exact, shown.map((p) => cardOf(p, errorAgainst(p, answer.name)))));
   }
@@ -174,7 +184,7 @@ function fillMethod() {
     `A pixel's ray crosses at most ${data.scene.max_peaks} surfaces in one step (max_peaks); crossings beyond are left out of the picture.`];
   if (/llvmpipe/.test(data.renderer))
     lines.push("This renderer's device clock (GL_TIME_ELAPSED) covers only a part of each frame: go by the wall clock.");
-  byId("method").append(...lines.map((line) => element("p", {class: "small"}, line)), element("code", {class: "command"}, data.command));
+  byId("method").append(...lines.map((line) => element("p", {class: "small"}, line)), command(data.command));
 }
 
 function fillDetails() {
