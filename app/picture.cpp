@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/timing.h"
 #include "presets/names.h"
+#include "render/measure/timing.h"
 
 namespace crest {
 

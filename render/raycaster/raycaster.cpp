@@ -265,9 +265,9 @@ std::vector<PixelCounts> Raycaster::draw_counts(const Scene& scene, const Camera
   return sums;
 }
 
-RenderCounts Raycaster::draw_counted(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
+RenderCounts sum_of(const std::vector<PixelCounts>& pixels) {
   RenderCounts total;
-  for (const PixelCounts& pixel : draw_counts(scene, camera, target)) {
+  for (const PixelCounts& pixel : pixels) {
     total.pixels += 1;
     total.hit_pixels += pixel.hit;
     total.samples += pixel.samples;
@@ -276,6 +276,10 @@ RenderCounts Raycaster::draw_counted(const Scene& scene, const Camera& camera, g
     total.crossings_left_out += pixel.crossings_left_out;
   }
   return total;
+}
+
+RenderCounts Raycaster::draw_counted(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
+  return sum_of(draw_counts(scene, camera, target));
 }
 
 void Raycaster::set_most_intervals_per_pass(int intervals) { state_->most_intervals_per_pass = intervals; }

@@ -32,6 +32,7 @@ struct RenderCounts {
   double crossings = 0;
   double crossings_left_out = 0;  ///< in steps with more than max_peaks
 };
+RenderCounts sum_of(const std::vector<PixelCounts>& pixels);
 
 /// The single-pass ray caster. It keeps what the last scenes needed (the volume's texture, the TF's tables,
 /// the shader variants) and rebuilds only what changed. A GL 4.5 context must be current throughout.
