@@ -12,6 +12,7 @@ using Action = std::function<void()>;
 void add_render_command(CLI::App& app, Action& chosen);
 void add_compare_command(CLI::App& app, Action& chosen);
 void add_report_command(CLI::App& app, Action& chosen);
+void add_stability_command(CLI::App& app, Action& chosen);
 void add_peaks_command(CLI::App& app, Action& chosen);
 void add_info_command(CLI::App& app, Action& chosen);
 void add_export_command(CLI::App& app, Action& chosen);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "render/gl/render_target.h"
 #include "render/raycaster/features.h"
@@ -16,6 +17,13 @@ struct Tile {
   glm::ivec2 begin, end;
 };
 
+/// What one pixel cost.
+struct PixelCounts {
+  std::uint32_t samples = 0, dvr_samples = 0;  ///< as in RenderCounts
+  std::uint32_t crossings = 0, crossings_left_out = 0;
+  bool hit = false;  ///< its ray meets the box
+};
+
 /// What a picture cost, over all its pixels.
 struct RenderCounts {
   double pixels = 0, hit_pixels = 0;  ///< all, and those whose ray meets the box
@@ -23,8 +31,8 @@ struct RenderCounts {
          dvr_samples = 0;  ///< field evaluations (gradient taps apart), and those that DVR classified
   double crossings = 0;
   double crossings_left_out = 0;  ///< in steps with more than max_peaks
-  std::vector<std::uint32_t> crossings_by_pixel;  ///< composited ones, row 0 at the top
 };
+RenderCounts sum_of(const std::vector<PixelCounts>& pixels);
 
 /// The single-pass ray caster. It keeps what the last scenes needed (the volume's texture, the TF's tables,
 /// the shader variants) and rebuilds only what changed. A GL 4.5 context must be current throughout.
@@ -43,7 +51,10 @@ class Raycaster {
   /// The same for the whole picture.
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
 
-  /// The whole picture, with its costs counted. `target` has counts.
+  /// The whole picture, with the costs of each pixel counted over all passes. `target` has counts.
+  std::vector<PixelCounts> draw_counts(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
+
+  /// The same, summed over all pixels.
   RenderCounts draw_counted(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
 
   /// What the TF brings in this scene; it stays valid until the next draw or call with another scene.
