@@ -84,7 +84,8 @@ std::string command_text(const CLI::App& command) {
 }
 
 /// The command that renders with a method what the report is of.
-std::string render_command(const SceneOptions& scene, const Method& method, double step) {
+std::string render_command(const SceneOptions& scene, const std::string& size, const Method& method,
+                           double step) {
   std::string text = "crest render " + shell_word(scene.volume);
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) text += fmt::format(" {} {}", option, shell_word(value));
@@ -98,6 +99,7 @@ std::string render_command(const SceneOptions& scene, const Method& method, doub
   for (const std::string& assignment : assignments_of(method, step)) add("--set", assignment);
   add("--set", "rendering.shading=none");
   add("--set", "rendering.early_termination=0");
+  add("--size", size);
   return text + (scene.fit_range ? " --fit-range" : "") + " -o picture.png";
 }
 
@@ -116,8 +118,9 @@ Report subject_of(const ReportOptions& options) {
   report.subject.made_at =
       fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
                   std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now()));
-  report.subject.render_command = [scene = options.scene](const Method& method, double step) {
-    return render_command(scene, method, step);
+  report.subject.render_command = [scene = options.scene, size = options.size](const Method& method,
+                                                                               double step) {
+    return render_command(scene, size, method, step);
   };
   return report;
 }

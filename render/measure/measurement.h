@@ -54,7 +54,7 @@ struct MethodStart {
   double step = 0;            ///< at which it was measured
   double first_frame_ms = 0;  ///< the first frame of a new renderer: uploads, tables, shaders, and the draw
   /// What an edit of the TF adds to the frame after it: peaks, tables, their upload. The median of edits of
-  /// one point's colour, each less the median of the frames around it; at least 0.
+  /// one point's colour, each drawn at one pixel, less the same without an edit; at least 0.
   double edit_ms = 0;
 };
 

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "json_schema.h"
+#include "program.h"
+
+namespace crest::test {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+class ReportTest : public ProgramTest {
+ protected:
+  Words report_to(const std::string& folder) const {
+    return {"report", "builtin:sphere?n=12", "--preset", "onion", "--size", "24x24", "-o", path(folder)};
+  }
+  json json_in(const std::string& folder) const {
+    return json::parse(content_of(path(folder + "/report.json")));
+  }
+};
+
+TEST_F(ReportTest, OfASmallScene) {
+  const Outcome outcome = run(report_to("out") + Words{"--budget", "12s", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(names(), Words{"out"});
+  const json report = json_in("out");
+  EXPECT_EQ(json::parse(outcome.out), report);
+  const json schema = json::parse(content_of(std::string(CREST_SOURCE_DIR) + "/docs/report.schema.json"));
+  EXPECT_EQ(schema_faults(report, schema), Words{});
+
+  // Every method, against its own exact answer, and the finer step is the closer one
+  EXPECT_EQ(report["methods"].size(), 10u);
+  EXPECT_EQ(report["answers"].size(), 4u);
+  std::map<std::pair<std::string, std::string>, std::map<double, double>> rmse;
+  std::size_t rows = 1;
+  for (const json& point : report["points"])
+    for (const json& error : point["errors"]) {
+      rmse[{point["method"], error["answer"]}][point["step"]] = error["compared"]["rmse"];
+      ++rows;
+    }
+  EXPECT_EQ(rmse.size(), 11u);  // the paper's PEAK_XOR_DVR has two
+  for (const auto& [key, errors] : rmse)
+    EXPECT_LT(errors.begin()->second, 0.5 * errors.rbegin()->second)
+        << key.first << " against " << key.second;
+
+  const std::string csv = content_of(path("out/report.csv"));
+  EXPECT_EQ(std::size_t(std::ranges::count(csv, '\n')), rows);
+}
+
+TEST_F(ReportTest, ThePageStandsAlone) {
+  ASSERT_EQ(run(report_to("out") + Words{"--budget", "2s"}).exit_code, 0);
+  const std::string page = content_of(path("out/report.html"));
+  EXPECT_EQ(page.find("{{"), page.npos);
+  // No address but of XML's namespaces
+  EXPECT_FALSE(std::regex_search(page, std::regex(R"(https?://(?!www\.w3\.org/))")));
+  EXPECT_FALSE(std::regex_search(page, std::regex(R"(<(link|script|img)[^>]*(src|href)=)")));
+  // All the pictures that it names are in it, as they are in the folder
+  const std::string begin = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t at = page.find(begin) + begin.size();
+  const json data = json::parse(page.substr(at, page.find("</script>", at) - at));
+  std::size_t pictures = 0;
+  const auto expect_picture = [&](const json& name) {
+    if (name.is_null()) return;
+    ++pictures;
+    EXPECT_TRUE(std::filesystem::exists(path("out/" + name.get<std::string>()))) << name;
+    EXPECT_TRUE(data["pictures"].contains(name.get<std::string>())) << name;
+  };
+  for (const json& answer : data["answers"]) expect_picture(answer["picture"]);
+  for (const json& point : data["points"]) {
+    expect_picture(point["picture"]);
+    for (const json& error : point["errors"]) expect_picture(error["picture"]);
+  }
+  EXPECT_GE(pictures, 4u);
+  for (const json& picture : data["pictures"])
+    EXPECT_EQ(picture.get<std::string>().substr(0, 22), "data:image/png;base64,");
+}
+
+TEST_F(ReportTest, ItsCommandRendersThePictureThatWasMeasured) {
+  ASSERT_EQ(
+      run(report_to("out") + Words{"--budget", "3s", "--set", "rendering.background=[0,0,0.5]"}).exit_code,
+      0);
+  std::size_t compared = 0;
+  const json report = json_in("out");
+  for (const json& point : report["points"]) {
+    if (point["picture"].is_null()) continue;
+    const std::string command = point["command"];
+    Words words;
+    std::smatch match;
+    const std::regex word(R"('([^']*)'|(\S+))");
+    for (auto rest = command; std::regex_search(rest, match, word); rest = match.suffix())
+      words.push_back(match[1].matched ? match[1] : match[2]);
+    ASSERT_EQ(words.front(), "crest");
+    words.erase(words.begin());
+    words.back() = path("picture.png");
+    ASSERT_EQ(run(words).exit_code, 0) << command;
+    EXPECT_EQ(content_of(path("picture.png")), content_of(path("out/" + point["picture"].get<std::string>())))
+        << command;
+    if (++compared == 4) break;
+  }
+  EXPECT_EQ(compared, 4u);
+}
+
+TEST_F(ReportTest, StoppedItKeepsWhatWasMeasured) {
+  const Words words{"report",  "builtin:plume?n=48", "--preset", "dirac-shell", "--size",
+                    "400x400", "--budget",           "none",     "-o",          path("out")};
+  const Outcome outcome = run(words, "self=$(exec sh -c 'echo $PPID'); (sleep 6; kill -INT $self) &");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("stopped after"), std::string::npos) << outcome.err;
+  const json report = json_in("out");
+  EXPECT_EQ(report["complete"], false);
+  EXPECT_GE(report["points"].size(), 1u);
+  EXPECT_NE(content_of(path("out/report.html")).find("\"complete\":false"), std::string::npos);
+}
+
+TEST_F(ReportTest, TooLittleTimeLeavesNothing) {
+  expect_error(1, report_to("out") + Words{"--budget", "0.000001s"}, {"nothing was measured"});
+}
+
+TEST_F(ReportTest, WrongCommandLines) {
+  expect_error(2, {"report", "-o", path("out")}, {"VOLUME", "--study"});
+  expect_error(2, {"report", "builtin:sphere?n=8"}, {"--output"});
+  expect_error(2, report_to("out") + Words{"--budget", "soon"}, {"soon", "90s", "none"});
+  expect_error(2, report_to("out") + Words{"--target-error", "psnr=30"},
+               {"psnr=30", "share=0.001", "rmse", "flip"});
+  expect_error(2, {"report", "builtin:sphere?n=8", "--size", "huge", "-o", path("out")}, {"huge", "512x512"});
+  expect_error(2, {"report", "--study", "bogus", "-o", path("out")}, {"bogus", "study"});
+  write("file", "");
+  expect_error(1, report_to("file"), {"file", "folder"});
+}
+
+}  // namespace
+}  // namespace crest::test
