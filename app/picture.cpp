@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/timing.h"
+#include "render/measure/timing.h"
 #include "presets/names.h"
 
 namespace crest {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/timing.h"
+#include "render/measure/timing.h"
 
 namespace crest {
 namespace {

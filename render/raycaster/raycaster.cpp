@@ -244,8 +244,11 @@ void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget&
 RenderCounts Raycaster::draw_counted(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
   RenderCounts sum;
   sum.pixels = double(target.size().x) * target.size().y;
+  sum.crossings_by_pixel.resize(std::size_t(sum.pixels));
   state_->draw(scene, camera, target, Tile{{0, 0}, target.size()}, [&](int pass) {
+    std::size_t pixel = 0;
     for (const glm::uvec4& counts : target.read_counts()) {
+      sum.crossings_by_pixel[pixel++] += counts.z;
       sum.samples += counts.x;
       sum.dvr_samples += counts.y;
       sum.crossings += counts.z;

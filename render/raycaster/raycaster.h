@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -22,6 +23,7 @@ struct RenderCounts {
          dvr_samples = 0;  ///< field evaluations (gradient taps apart), and those that DVR classified
   double crossings = 0;
   double crossings_left_out = 0;  ///< in steps with more than max_peaks
+  std::vector<std::uint32_t> crossings_by_pixel;  ///< composited ones, row 0 at the top
 };
 
 /// The single-pass ray caster. It keeps what the last scenes needed (the volume's texture, the TF's tables,

@@ -1,4 +1,4 @@
-#include "app/timing.h"
+#include "render/measure/timing.h"
 
 #include <epoxy/gl.h>
 

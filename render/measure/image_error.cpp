@@ -1,0 +1,136 @@
+#include "render/measure/image_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+#include "presets/error.h"
+#include "render/measure/flip.h"
+
+namespace crest {
+namespace {
+
+constexpr double one_step_of_8_bits = 1.0 / 255;
+
+/// By channel; what is not a number is off without bound.
+glm::dvec4 difference(const glm::dvec4& a, const glm::dvec4& b) {
+  glm::dvec4 d = glm::abs(a - b);
+  for (int i = 0; i < 4; ++i)
+    if (std::isnan(d[i])) d[i] = std::numeric_limits<double>::infinity();
+  return d;
+}
+
+double largest_channel(const glm::dvec4& v) { return std::max({v.x, v.y, v.z, v.w}); }
+
+/// The errors of the pixels with these indices.
+PixelErrors errors_of(const Reference& exact, const Image& image, const std::vector<float>& flip,
+                      const std::vector<std::size_t>& pixels) {
+  PixelErrors errors;
+  errors.pixels = pixels.size();
+  if (pixels.empty()) return errors;
+  const double count = double(pixels.size());
+  std::vector<double> differences;
+  double squares = 0;
+  for (const std::size_t i : pixels) {
+    const glm::dvec4 d = difference(exact.pixels[i], glm::dvec4(image.pixels[i]));
+    squares += d.x * d.x + d.y * d.y + d.z * d.z + d.w * d.w;
+    differences.push_back(largest_channel(d));
+    errors.share += (differences.back() > one_step_of_8_bits) / count;
+    errors.flip += flip[i] / count;
+  }
+  errors.rmse = std::sqrt(squares / (4 * count));
+  errors.max = *std::ranges::max_element(differences);
+  // The least difference that at least 99.9 % of the pixels do not exceed
+  const auto rank = differences.begin() + std::ptrdiff_t(std::ceil(0.999 * count)) - 1;
+  std::ranges::nth_element(differences, rank);
+  errors.p999 = *rank;
+  return errors;
+}
+
+ImageError::Crossings count_crossings(const Reference& exact, std::span<const std::uint32_t> found,
+                                      const std::vector<std::size_t>& pixels) {
+  ImageError::Crossings crossings;
+  for (const std::size_t i : pixels) {
+    const double wanted = exact.crossings[i], got = found[i];
+    crossings.exact += wanted;
+    crossings.missed += std::max(wanted - got, 0.0);
+    crossings.invented += std::max(got - wanted, 0.0);
+  }
+  return crossings;
+}
+
+/// A count as a share of the exact picture's crossings. Where there is none, one is as bad as all.
+double share_of_exact(const ImageError& error, double ImageError::Crossings::*count) {
+  if (!error.crossings) return std::numeric_limits<double>::quiet_NaN();
+  return *error.crossings.*count / std::max(error.crossings->exact, 1.0);
+}
+
+constexpr ErrorMeasure measures[] = {
+    {"share", "share of pixels off by more than 1/255", [](const ImageError& e) { return e.compared.share; }},
+    {"rmse", "root mean square error", [](const ImageError& e) { return e.compared.rmse; }},
+    {"max", "largest error", [](const ImageError& e) { return e.compared.max; }},
+    {"p999", "99.9th percentile of the error", [](const ImageError& e) { return e.compared.p999; }},
+    {"flip", "mean FLIP", [](const ImageError& e) { return e.compared.flip; }},
+    {"missed", "crossings missed, of all",
+     [](const ImageError& e) { return share_of_exact(e, &ImageError::Crossings::missed); }},
+    {"invented", "crossings invented, of all",
+     [](const ImageError& e) { return share_of_exact(e, &ImageError::Crossings::invented); }},
+};
+
+}  // namespace
+
+double ImageError::grazing_share() const {
+  const double all = double(compared.pixels + grazing.pixels);
+  return all > 0 ? double(grazing.pixels) / all : 0;
+}
+
+ImageError image_error(const Reference& exact, const Image& image, std::span<const std::uint32_t> crossings,
+                       glm::vec3 background) {
+  std::vector<std::size_t> compared, grazing;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    if (exact.pixels[i].a > 0 || !(image.pixels[i].a <= 0))
+      (exact.grazing[i] ? grazing : compared).push_back(i);
+  const auto flip = flip_map(over_background(exact.image(), background), over_background(image, background));
+  ImageError error;
+  error.compared = errors_of(exact, image, flip, compared);
+  error.grazing = errors_of(exact, image, flip, grazing);
+  if (!crossings.empty()) error.crossings = count_crossings(exact, crossings, compared);
+  return error;
+}
+
+std::span<const ErrorMeasure> error_measures() { return measures; }
+
+TargetError default_target() { return {&measures[0], 0.001}; }
+
+TargetError parse_target(std::string_view text) {
+  const auto equals = std::min(text.find('='), text.size());
+  const auto measure = std::ranges::find(measures, text.substr(0, equals), &ErrorMeasure::id);
+  const std::string_view number = text.substr(std::min(equals + 1, text.size()));
+  double most = 0;
+  const auto [end, fault] = std::from_chars(number.data(), number.data() + number.size(), most);
+  const bool is_number = fault == std::errc{} && end == number.data() + number.size() && most >= 0;
+  if (measure == std::end(measures) || !is_number || !std::isfinite(most)) {
+    std::string ids;
+    for (const ErrorMeasure& m : measures) ids += (ids.empty() ? "" : ", ") + std::string(m.id);
+    throw Error(fmt::format("'{}' is not MEASURE=NUMBER, as in share=0.001; the measures are {}", text, ids));
+  }
+  return {&*measure, most};
+}
+
+std::string to_string(const TargetError& target) {
+  return fmt::format("{}={}", target.measure->id, target.most);
+}
+
+std::vector<float> pixel_differences(const Image& a, const Image& b) {
+  std::vector<float> differences;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    differences.push_back(
+        float(largest_channel(difference(glm::dvec4(a.pixels[i]), glm::dvec4(b.pixels[i])))));
+  return differences;
+}
+
+}  // namespace crest

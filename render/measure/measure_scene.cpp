@@ -1,0 +1,99 @@
+#include "render/measure/measure_scene.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "render/gl/timer.h"
+#include "render/measure/timing.h"
+#include "render/raycaster/raycaster.h"
+
+namespace crest {
+namespace {
+
+constexpr int edits = 3;
+
+struct SceneRenderer {
+  SceneRenderer(Scene s, Camera c, glm::ivec2 size)
+      : scene(std::move(s)), camera(c), target(size, false), counted(size, true) {
+    raycaster.emplace();
+  }
+
+  const Scene& scene_with(const Rendering& rendering) {
+    scene.rendering = rendering;
+    return scene;
+  }
+  double draw_ms() {
+    return finished_ms([&] { raycaster->draw(scene, camera, target); });
+  }
+
+  Scene scene;
+  Camera camera;
+  std::optional<Raycaster> raycaster;
+  gl::RenderTarget target, counted;
+};
+
+Measurer::Start measure_start(SceneRenderer& renderer, const Rendering& rendering) {
+  renderer.scene_with(rendering);
+  renderer.raycaster.reset();  // its room first
+  renderer.raycaster.emplace();
+  Measurer::Start start;
+  start.first_frame_ms = renderer.draw_ms();
+
+  std::vector<double> added;
+  const TransferFunction original = renderer.scene.tf;
+  for (int edit = 0; edit < edits; ++edit) {
+    const double before = renderer.draw_ms();
+    auto& color = renderer.scene.tf.points.front().color;
+    color.r = color.r < 0.5 ? color.r + 0.1 : color.r - 0.1;
+    const double edited = renderer.draw_ms();
+    added.push_back(edited - median({before, renderer.draw_ms()}));
+  }
+  renderer.scene.tf = original;
+  start.edit_ms = std::max(0.0, median(added));
+  return start;
+}
+
+Measurer::Picture take_picture(SceneRenderer& renderer, const Rendering& rendering) {
+  Measurer::Picture picture;
+  const Scene& scene = renderer.scene_with(rendering);
+  renderer.raycaster->draw(scene, renderer.camera, renderer.target);
+  picture.image = renderer.target.read_color();
+  RenderCounts counts = renderer.raycaster->draw_counted(scene, renderer.camera, renderer.counted);
+  picture.samples_per_ray = counts.samples / counts.pixels;
+  picture.dvr_samples_per_ray = counts.dvr_samples / counts.pixels;
+  picture.crossings_per_ray = counts.crossings / counts.pixels;
+  picture.crossings_left_out_per_ray = counts.crossings_left_out / counts.pixels;
+  picture.crossings = std::move(counts.crossings_by_pixel);
+  return picture;
+}
+
+Measurer::FrameTime time_frame(SceneRenderer& renderer, const Rendering& rendering) {
+  renderer.scene_with(rendering);
+  Measurer::FrameTime time;
+  time.wall_ms = finished_ms([&] {
+    time.device_ms =
+        gl::device_ms([&] { renderer.raycaster->draw(renderer.scene, renderer.camera, renderer.target); });
+  });
+  return time;
+}
+
+}  // namespace
+
+Measurer measure_scene(Scene scene, Camera camera, glm::ivec2 size) {
+  const auto renderer = std::make_shared<SceneRenderer>(scene, camera, size);
+  Measurer measurer;
+  measurer.reference = [=](Answer answer, const Progress& progress) {
+    return render_reference(scene, camera, size, answer, 1e-10, progress);
+  };
+  measurer.start = [=](const Rendering& rendering) { return measure_start(*renderer, rendering); };
+  measurer.picture = [=](const Rendering& rendering) { return take_picture(*renderer, rendering); };
+  measurer.frame = [=](const Rendering& rendering) { return time_frame(*renderer, rendering); };
+  measurer.seconds = [] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  };
+  return measurer;
+}
+
+}  // namespace crest

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "render/measure/sweep.h"
+
+namespace crest {
+
+/// The measurer of a scene as a camera sees it: the ray caster in the GL 4.5 context that is current wherever
+/// it is called and dies, and the exact answer on the CPU.
+Measurer measure_scene(Scene scene, Camera camera, glm::ivec2 size);
+
+}  // namespace crest

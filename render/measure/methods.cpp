@@ -1,0 +1,86 @@
+#include "render/measure/methods.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "presets/preset_file.h"
+#include "render/classify/classification.h"
+
+namespace crest {
+namespace {
+
+constexpr Method table[] = {
+    {"dvr", "DVR, equal steps, rounded up", "mode=DVR_ONLY"},
+    {"dvr-entry-exit", "DVR, equal steps, rounded down", "mode=DVR_ONLY placement=entry_exit"},
+    {"dvr-entry", "DVR, steps counted from the entry", "mode=DVR_ONLY placement=entry"},
+    {"dvr-eye", "DVR, steps counted from the eye", "mode=DVR_ONLY placement=eye"},
+    {"peaks", "Peaks alone, divided steps", "mode=PEAK_ONLY peak_form=split"},
+    {"peaks-paper", "Peaks alone, as published", "mode=PEAK_ONLY peak_form=paper"},
+    {"xor", "Peaks and base TF, divided steps", "mode=PEAK_XOR_DVR peak_form=split"},
+    {"xor-paper", "Peaks or samples, as published", "mode=PEAK_XOR_DVR peak_form=paper"},
+    {"both", "Peaks and DVR, divided steps", "mode=both peak_form=split"},
+    {"both-paper", "Peaks and DVR, as published", "mode=both peak_form=paper"},
+};
+
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find(' '), text.size());
+    words.push_back(text.substr(0, length));
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return words;
+}
+
+}  // namespace
+
+std::span<const Method> methods() { return table; }
+
+const Method* find_method(std::string_view id) {
+  const auto found = std::ranges::find(table, id, &Method::id);
+  return found == std::end(table) ? nullptr : &*found;
+}
+
+std::vector<std::string> assignments_of(const Method& method, double step) {
+  std::vector<std::string> assignments;
+  for (const std::string_view word : words_of(method.settings))
+    assignments.push_back(fmt::format("rendering.{}", word));
+  if (method.has_step) assignments.push_back(fmt::format("rendering.step={}", step));
+  return assignments;
+}
+
+Rendering measured_rendering(const Method& method, double step, const Rendering& scene) {
+  Preset preset;
+  preset.rendering.clip_box = scene.clip_box;
+  preset.rendering.background = scene.background;
+  preset.rendering.max_peaks = scene.max_peaks;
+  preset.rendering.peak_bins = scene.peak_bins;
+  preset.transfer_function = default_transfer_function();  // a preset has one
+  for (const std::string& assignment : assignments_of(method, step)) preset = set_field(preset, assignment);
+  return preset.rendering;
+}
+
+Rendering with_method(const Rendering& scene, const Method& method, double step) {
+  Rendering rendering = measured_rendering(method, step, scene);
+  rendering.shading = scene.shading;
+  rendering.early_termination = scene.early_termination;
+  rendering.unknown = scene.unknown;
+  if (!method.has_step) rendering.step = scene.step;
+  return rendering;
+}
+
+std::vector<Answer> answers_of(const Method& method) {
+  return answers_of(measured_rendering(method, Rendering{}.step, {}));
+}
+
+std::string why_left_out(const Method& method, const Scene& scene) {
+  const Mode mode = measured_rendering(method, scene.rendering.step, scene.rendering).mode;
+  const bool is_clear = std::ranges::none_of(scene.tf.points, [](const auto& p) { return p.opacity > 0; });
+  if (mode == Mode::dvr_only && is_clear) return "no point of the transfer function has an opacity";
+  if (mode == Mode::dvr_only) return "";
+  const auto classification = classify(scene.tf, scene.volume->statistics.range, scene.rendering.peak_bins);
+  return classification.surfaces.empty() ? "no surface lies in the volume's range" : "";
+}
+
+}  // namespace crest

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "presets/preset.h"
+#include "render/reference/answer.h"
+#include "render/scene.h"
+
+namespace crest {
+
+/// A way in which Crest renders, as the report, the studies and the studio offer it.
+struct Method {
+  std::string_view id;        ///< "dvr-eye": in files and on the command line
+  std::string_view name;      ///< for people
+  std::string_view settings;  ///< fields of "rendering", as in "mode=DVR_ONLY placement=eye"
+  bool has_step = true;       ///< whether rendering.step refines it
+};
+
+/// All methods. One that is added to this table is in the report, the studio's diagram and `crest list
+/// methods`.
+std::span<const Method> methods();
+
+/// Null where there is none of this id.
+const Method* find_method(std::string_view id);
+
+/// The settings with which a method is measured in a scene: the method's own; of the scene's, clip box,
+/// background, max_peaks and peak_bins; everything else as it is by default. So shading, which has no exact
+/// answer, and early termination, which adds an error of its own, are off.
+Rendering measured_rendering(const Method& method, double step, const Rendering& scene);
+
+/// The scene's settings changed to a method, which leaves its shading and its early termination as they are.
+Rendering with_method(const Rendering& scene, const Method& method, double step);
+
+/// "rendering.mode=DVR_ONLY", ...: the assignments that `--set` takes to render so, the step among them.
+std::vector<std::string> assignments_of(const Method& method, double step);
+
+/// The exact answers that a method is measured against.
+std::vector<Answer> answers_of(const Method& method);
+
+/// Why it would show nothing, or the same as a simpler one, in a scene; empty where it makes sense.
+std::string why_left_out(const Method& method, const Scene& scene);
+
+}  // namespace crest
