@@ -1,0 +1,202 @@
+#include "render/measure/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "pictures.h"
+#include "presets/error.h"
+#include "scenes.h"
+
+namespace crest {
+namespace {
+
+/// A renderer of second order on a clock of its own: a frame takes `ms_at_1` / step, an exact answer
+/// `reference_seconds`. The machine gets slower by a thousandth with each frame.
+struct FakeRenderer {
+  double ms_at_1 = 10, reference_seconds = 1, drift = 1e-3;
+  double now = 0;
+  int frames = 0, starts = 0;
+  std::vector<Answer> references;
+  std::vector<double> frame_steps;
+
+  double frame_seconds(const Rendering& r) const { return 1e-3 * ms_at_1 / r.step * (1 + drift * frames); }
+
+  Measurer measurer() {
+    Measurer m;
+    m.seconds = [this] { return now; };
+    m.reference = [this](Answer answer, const Progress& progress) {
+      references.push_back(answer);
+      for (int part = 1; part <= 100; ++part) {
+        now += 0.01 * reference_seconds;
+        if (!progress(0.01 * part)) throw Cancelled{};
+      }
+      Reference exact = testing::as_exact(testing::filled({4, 4}, glm::vec4(0.5f)));
+      exact.crossings.assign(16, 1);
+      return exact;
+    };
+    m.start = [this](const Rendering& r) {
+      ++starts;
+      now += 0.1 + frame_seconds(r);
+      return Measurer::Start{100 + 1e3 * frame_seconds(r), 7};
+    };
+    m.picture = [this](const Rendering& r) {
+      now += 2 * frame_seconds(r);
+      Measurer::Picture picture;
+      picture.image = testing::filled({4, 4}, glm::vec4(float(0.5 + 0.01 * r.step * r.step)));
+      picture.samples_per_ray = 100 / r.step;
+      picture.crossings.assign(16, 1);
+      return picture;
+    };
+    m.frame = [this](const Rendering& r) {
+      ++frames;
+      frame_steps.push_back(r.step);
+      now += frame_seconds(r);
+      return Measurer::FrameTime{1e3 * frame_seconds(r), 900 * frame_seconds(r)};
+    };
+    return m;
+  }
+};
+
+std::vector<Measurement> run(Sweep& sweep) {
+  std::vector<Measurement> points;
+  while (auto point = sweep.next()) {
+    EXPECT_EQ(point->image.size, glm::ivec2(4));
+    points.push_back(point->measurement);
+  }
+  return points;
+}
+
+TEST(Sweep, WithoutABudgetMeasuresEveryPointOnce) {
+  FakeRenderer renderer;
+  Sweep sweep(testing::scene_with_peak(0.5), renderer.measurer());
+  const auto points = run(sweep);
+  EXPECT_EQ(points.size(), methods().size() * sweep_steps().size());
+  std::set<std::pair<std::string, double>> distinct;
+  for (const Measurement& m : points) {
+    distinct.insert({m.method, m.step});
+    EXPECT_EQ(m.errors.size(), answers_of(*find_method(m.method)).size());
+    EXPECT_NEAR(m.errors[0].error.compared.rmse, 0.01 * m.step * m.step, 1e-7);
+    EXPECT_DOUBLE_EQ(m.samples_per_ray, 100 / m.step);
+    EXPECT_NEAR(m.device_ms, 0.9 * m.frame_ms, 1e-9);
+    EXPECT_GE(m.frame_ms_all.size(), 3u);
+    const bool is_dvr = m.method.starts_with("dvr");
+    EXPECT_EQ(m.errors[0].error.crossings.has_value(), !is_dvr);
+  }
+  EXPECT_EQ(distinct.size(), points.size());
+  EXPECT_EQ(sweep.measured().size(), points.size());
+  EXPECT_TRUE(sweep.left_out().empty());
+  EXPECT_EQ(sweep.references().size(), 4u);
+}
+
+TEST(Sweep, BeginsWithTheScenesOwnModeThenIntegral) {
+  FakeRenderer renderer;
+  Scene scene = testing::scene_with_peak(0.5);
+  scene.rendering.mode = Mode::peak_only;
+  Sweep sweep(scene, renderer.measurer());
+  const auto first = sweep.next();
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->measurement.method, "peaks");
+  EXPECT_EQ(first->measurement.step, 4);
+  EXPECT_EQ(renderer.references, std::vector{Answer::crossings});  // the others come later
+  run(sweep);
+  EXPECT_EQ(renderer.references.size(), 4u);
+  EXPECT_EQ(renderer.references[1], Answer::integral);
+}
+
+TEST(Sweep, TimesAGroupTurnByTurnWithTheAnchor) {
+  FakeRenderer renderer;
+  renderer.drift = 0.05;  // so that what was timed later is slower
+  Scene scene = testing::scene_with_peak(0.5);
+  scene.rendering.mode = Mode::dvr_only;
+  Sweep sweep(scene, renderer.measurer(), {.frames = 5});
+  std::map<int, std::vector<Measurement>> groups;
+  for (const Measurement& m : run(sweep)) groups[m.group].push_back(m);
+  EXPECT_EQ(groups[0].size(), 1u);  // nothing is known of the time before
+  ASSERT_EQ(groups[1].size(), 3u);  // the other placements at the same step
+  for (const Measurement& m : groups[1]) EXPECT_EQ(m.step, 4);
+  // Timed one after the other, with 5 frames each, the last would be half as slow again as the first.
+  EXPECT_LT(groups[1][2].frame_ms / groups[1][0].frame_ms, 1.15);
+  // All that differs between groups is the machine, and the anchor tells by how much.
+  const double slower = groups[1][0].frame_ms / groups[0][0].frame_ms;
+  EXPECT_GT(slower, 1.2);
+  EXPECT_NEAR(groups[1][0].anchor_ms / groups[0][0].anchor_ms / slower, 1, 0.1);
+}
+
+TEST(Sweep, KeepsToItsBudgetAndSaysWhatItLeftOut) {
+  for (const double budget : {30.0, 50.0}) {
+    FakeRenderer renderer;
+    renderer.ms_at_1 = 40;  // a point at 1/64 takes 13 s
+    Sweep sweep(testing::scene_with_peak(0.5), renderer.measurer(), {.budget_seconds = budget});
+    const auto points = run(sweep);
+    EXPECT_LT(renderer.now, 1.2 * budget);
+    EXPECT_GT(renderer.now, 0.8 * budget);
+    EXPECT_EQ(points.size() + sweep.left_out().size(), methods().size() * sweep_steps().size());
+    std::set<std::string> covered;
+    for (const Measurement& m : points)
+      if (m.step == 0.25) covered.insert(m.method);
+    EXPECT_EQ(covered.size(), methods().size());
+    EXPECT_NE(sweep.left_out().back().what.find("at step"), std::string::npos);
+  }
+}
+
+TEST(Sweep, GivesUpAnExactAnswerThatWouldTakeMostOfTheBudget) {
+  FakeRenderer renderer;
+  renderer.reference_seconds = 100;
+  Sweep sweep(testing::scene_with_peak(0.5), renderer.measurer(), {.budget_seconds = 60});
+  EXPECT_TRUE(run(sweep).empty());
+  EXPECT_LT(renderer.now, 10);  // its time was foretold early
+  // Four answers, and ten methods that have none
+  EXPECT_EQ(sweep.left_out().size(), 4 + methods().size());
+  EXPECT_NE(sweep.left_out()[0].why.find("it would take 100 s"), std::string::npos)
+      << sweep.left_out()[0].why;
+}
+
+TEST(Sweep, StopsWhenAskedTo) {
+  FakeRenderer renderer;
+  Sweep sweep(testing::scene_with_peak(0.5), renderer.measurer());
+  std::stop_source stop;
+  std::size_t points = 0;
+  while (auto point = sweep.next(stop.get_token()))
+    if (++points == 15) stop.request_stop();
+  EXPECT_GE(points, 15u);
+  EXPECT_LT(points, 30u);
+  // Within an exact answer, too
+  FakeRenderer other;
+  Sweep second(testing::scene_with_peak(0.5), other.measurer());
+  std::stop_source at_once;
+  EXPECT_FALSE(second.next(at_once.get_token(), [&](std::string_view doing, double done) {
+    EXPECT_EQ(doing, "exact answer 'integral+crossings'");
+    if (done > 0.3) at_once.request_stop();
+  }));
+  EXPECT_LT(other.now, 0.4);
+  EXPECT_TRUE(second.references().empty());
+}
+
+TEST(Sweep, StartsEachMethodOnce) {
+  FakeRenderer renderer;
+  Sweep sweep(testing::scene_with_peak(0.5), renderer.measurer(), {.budget_seconds = 10});
+  run(sweep);
+  EXPECT_EQ(renderer.starts, int(methods().size()));
+  ASSERT_EQ(sweep.starts().size(), methods().size());
+  for (const MethodStart& start : sweep.starts()) {
+    EXPECT_EQ(start.step, 4);
+    EXPECT_GT(start.first_frame_ms, 100);
+    EXPECT_EQ(start.edit_ms, 7);
+  }
+}
+
+TEST(Sweep, LeavesOutMethodsThatMakeNoSense) {
+  FakeRenderer renderer;
+  Scene scene = testing::scene_with_peak(3);
+  scene.rendering.mode = Mode::dvr_only;
+  Sweep sweep(scene, renderer.measurer());
+  for (const Measurement& m : run(sweep)) EXPECT_TRUE(m.method.starts_with("dvr")) << m.method;
+  EXPECT_EQ(renderer.references, std::vector{Answer::integral});
+  EXPECT_EQ(sweep.left_out().size(), methods().size() - 4);
+}
+
+}  // namespace
+}  // namespace crest
