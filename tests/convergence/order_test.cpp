@@ -12,7 +12,7 @@
 namespace crest::testing {
 namespace {
 
-constexpr double float_floor = 2e-6;  // RMSE of a picture that differs from the truth by float rounding alone
+constexpr double float_floor = 4e-7;  // RMSE of a picture that differs from the truth by float rounding alone
 
 double rmse(const Image& image, const Image& truth) {
   double sum = 0;
@@ -35,6 +35,11 @@ void print(const char* what, std::span<const double> sizes, std::span<const doub
 /// A field without symmetries that rises along z, so that every ray crosses its level sets transversally.
 double transversal(glm::dvec3 p) {
   return p.z + 0.12 * std::sin(2.1 * p.x + 0.4) * std::cos(1.7 * p.y) + 0.05 * std::sin(5 * p.z + p.x);
+}
+
+glm::dvec3 gradient_of_transversal(glm::dvec3 p) {
+  return {0.252 * std::cos(2.1 * p.x + 0.4) * std::cos(1.7 * p.y) + 0.05 * std::cos(5 * p.z + p.x),
+          -0.204 * std::sin(2.1 * p.x + 0.4) * std::sin(1.7 * p.y), 1 + 0.25 * std::cos(5 * p.z + p.x)};
 }
 
 /// The cube [0,1]^3 with n points an axis.
@@ -63,7 +68,8 @@ class Order : public RaycasterTest {
 
   OrderFit fit(const char* what, std::span<const double> sizes, std::span<const double> errors) {
     const auto result = fit_order(sizes, errors, float_floor, 5);  // four halvings
-    EXPECT_TRUE(result) << what << ": fewer than four halvings above the floor of float";
+    EXPECT_TRUE(result) << what << ": fewer than four halvings above the floor of float: "
+                        << ::testing::PrintToString(std::vector(errors.begin(), errors.end()));
     if (!result) return {};
     print(what, sizes, errors, *result);
     return *result;
@@ -80,13 +86,13 @@ Scene scene_of(std::shared_ptr<const Volume> volume, TransferFunction tf, Mode m
 
 const glm::dvec3 blue(0.1, 0.3, 1), orange(1, 0.5, 0.1);
 
-TransferFunction smooth_tf() { return make_tf({point(-0.3, 0.02, blue), point(1.3, 0.8, orange)}, 0.6); }
+TransferFunction smooth_tf() { return make_tf({point(-0.3, 0.02, blue), point(1.3, 0.8, orange)}, 0.25); }
 
 /// Haze with a spike in its middle.
 TransferFunction spike_tf(double width) {
   return make_tf({point(-0.3, 0.05, blue), point(0.5 - width / 2, 0.375, blue), point(0.5, 0.8, orange),
                   point(0.5 + width / 2, 0.375, blue), point(1.3, 0.7, blue)},
-                 0.6);
+                 0.25);
 }
 
 TEST_F(Order, MidpointOfASmoothFieldIsTwoInTheStep) {
@@ -111,7 +117,7 @@ TEST_F(Order, AJumpInTheTfMakesItOne) {
 TEST_F(Order, ASpikeAndPeakFinding) {
   const auto volume = make_volume(unit_cube(33), transversal);
   const auto tf = spike_tf(2e-3);
-  constexpr double steps[] = {4, 2, 1, 0.5, 0.25, 0.125};
+  constexpr double steps[] = {8, 4, 2, 1, 0.5, 0.25};
   const OrderFit plain =
       order_in_step("step, spike, DVR_ONLY", scene_of(volume, tf, Mode::dvr_only), Answer::integral, steps);
   EXPECT_GT(plain.order, -0.2);
@@ -127,7 +133,7 @@ TEST_F(Order, ASpikeAndPeakFinding) {
 }
 
 TEST_F(Order, TrilinearIsTwoInTheGrid) {
-  const FormulaField formula{[](glm::dvec3 p) { return transversal(p); }, {}};
+  const FormulaField formula{transversal, gradient_of_transversal};
   std::vector<double> spacings, errors;
   for (const int n : {5, 9, 17, 33, 65}) {
     Scene scene = scene_of(make_volume(unit_cube(n), transversal), smooth_tf(), Mode::dvr_only);
@@ -151,7 +157,7 @@ glm::dvec4 reconstruct(const Image& image, glm::dvec2 place, bool bilinear) {
 }
 
 TEST_F(Order, ThePixelIsOneForNearestAndTwoForBilinear) {
-  Scene scene = scene_of(make_volume(unit_cube(33), transversal), smooth_tf(), Mode::dvr_only);
+  Scene scene = scene_of(make_volume(unit_cube(129), transversal), smooth_tf(), Mode::dvr_only);
   const Camera camera = along_z(scene.volume->grid, 0.8);  // no edge of the volume in the picture
   const Image fine = render(scene, camera, {384, 384});
   for (const bool bilinear : {false, true}) {
@@ -188,7 +194,7 @@ TEST_F(Order, SilhouettesOfPeakOnly) {
   for (const PeakForm form : {PeakForm::paper, PeakForm::split}) {
     Scene scene = scene_of(volume, tf, Mode::peak_only, form);
     const Image truth = render_reference(scene, camera, size, Answer::crossings).image();
-    constexpr double steps[] = {24, 12, 6, 3, 1.5};
+    constexpr double steps[] = {32, 16, 8, 4, 2};
     std::vector<double> mean, root_mean_square, largest;
     for (const double step : steps) {
       scene.rendering.step = step;
@@ -205,8 +211,9 @@ TEST_F(Order, SilhouettesOfPeakOnly) {
     }
     const std::string name =
         form == PeakForm::paper ? "step, silhouettes, paper form, " : "step, silhouettes, split form, ";
-    EXPECT_NEAR(fit((name + "mean").c_str(), steps, mean).order, 2, 0.3);
-    EXPECT_NEAR(fit((name + "RMSE").c_str(), steps, root_mean_square).order, 1, 0.2);
+    const double bound = form == PeakForm::paper ? 0.2 : 0.4;  // few pixels are lost at all in the split form
+    EXPECT_NEAR(fit((name + "mean").c_str(), steps, mean).order, 2, bound);
+    EXPECT_NEAR(fit((name + "RMSE").c_str(), steps, root_mean_square).order, 1, bound);
     EXPECT_NEAR(fit((name + "maximum").c_str(), steps, largest).order, 0, 0.05);
   }
 }
