@@ -77,9 +77,7 @@ void BackgroundSweep::rest_until(Clock::time_point time) {
   rest_until_ = std::max(rest_until_, time);
 }
 
-bool BackgroundSweep::is_outdated() const {
-  return latest_ && !(begun_ && is_same_sweep(*begun_, *latest_));
-}
+bool BackgroundSweep::is_outdated() const { return latest_ && !(begun_ && is_same_sweep(*begun_, *latest_)); }
 
 bool BackgroundSweep::is_active() const {
   if (!is_on_) return false;

@@ -1,0 +1,278 @@
+#include "ui/accuracy_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace crest {
+namespace {
+
+constexpr float reach_pixels = 12;
+constexpr double margin = 1.5;         // beyond the first and the last point
+constexpr double least_span = 20;      // from an axis' low end to its high end
+constexpr double least_error = 1e-12;  // far below the rounding of 32-bit float
+
+constexpr ImU32 colors[] = {IM_COL32(94, 166, 232, 255),  IM_COL32(242, 160, 76, 255),
+                            IM_COL32(112, 200, 122, 255), IM_COL32(236, 112, 112, 255),
+                            IM_COL32(180, 142, 234, 255), IM_COL32(84, 204, 204, 255),
+                            IM_COL32(232, 212, 98, 255),  IM_COL32(238, 142, 194, 255),
+                            IM_COL32(196, 156, 118, 255), IM_COL32(164, 204, 74, 255)};
+
+std::size_t index_of(const Method& method) {
+  return std::size_t(std::ranges::find(methods(), method.id, &Method::id) - methods().begin());
+}
+
+ImU32 faded(ImU32 color, float alpha) {
+  ImVec4 parts = ImGui::ColorConvertU32ToFloat4(color);
+  parts.w *= alpha;
+  return ImGui::ColorConvertFloat4ToU32(parts);
+}
+
+LogAxis axis_over(double least, double most) {
+  if (!(least <= most)) return {1, 100};
+  least /= margin;
+  most *= margin;
+  if (const double lacking = std::sqrt(least_span * least / most); lacking > 1) {
+    least /= lacking;
+    most *= lacking;
+  }
+  return {least, most};
+}
+
+struct Tick {
+  double value;
+  bool labelled;
+};
+
+/// 1, 2, ... 9 of each decade; labelled are the decades, and 2 and 5 where there is room for `room` pixels a
+/// label.
+std::vector<Tick> ticks_of(const LogAxis& axis, float room) {
+  std::vector<Tick> ticks;
+  const int first = int(std::floor(std::log10(axis.low))), last = int(std::floor(std::log10(axis.high)));
+  const double pixels = std::abs(axis.to - axis.from) / std::log10(axis.high / axis.low);  // of a decade
+  const int every = std::max(1, int(std::ceil(room / pixels)));
+  const bool fine = pixels * std::log10(2.0) > room;
+  for (int decade = first; decade <= last; ++decade)
+    for (int digit = 1; digit < 10; ++digit) {
+      const double value = digit * std::pow(10.0, decade);
+      if (value < axis.low || value > axis.high) continue;
+      ticks.push_back({value, digit == 1 ? decade % every == 0 : fine && (digit == 2 || digit == 5)});
+    }
+  return ticks;
+}
+
+std::string tick_text(double value) {
+  return value >= 1e-3 && value < 1e5 ? fmt::format("{:.6g}", value) : fmt::format("{:.0e}", value);
+}
+
+void draw_error_axis(ImDrawList& list, const AccuracyPlot& plot) {
+  const float height = ImGui::GetFontSize();
+  const auto label = [&](float y, const std::string& text) {
+    const float x = plot.low.x - scaled(6) - ImGui::CalcTextSize(text.c_str()).x;
+    list.AddText({std::round(x), std::round(y - height / 2)}, palette::dim, text.c_str());
+  };
+  for (const Tick& tick : ticks_of(plot.error, height * 1.5F)) {
+    const float y = std::round(plot.error.place(tick.value));
+    list.AddLine({plot.low.x, y}, {plot.high.x, y}, faded(palette::grid, tick.labelled ? 1 : 0.4F));
+    if (tick.labelled) label(y, tick_text(tick.value));
+  }
+  if (!plot.has_zero) return;
+  list.AddLine({plot.low.x, plot.error.from}, {plot.high.x, plot.error.from}, palette::frame);
+  label((plot.error.from + plot.high.y) / 2, "0");
+}
+
+void draw_time_axis(ImDrawList& list, const AccuracyPlot& plot) {
+  const char* unit = "ms a frame";
+  const float text_y = plot.high.y + scaled(5), unit_x = plot.high.x - ImGui::CalcTextSize(unit).x;
+  list.AddText({unit_x, text_y}, palette::dim, unit);
+  for (const Tick& tick : ticks_of(plot.ms, scaled(34))) {
+    const float x = std::round(plot.ms.place(tick.value));
+    list.AddLine({x, plot.low.y}, {x, plot.high.y}, faded(palette::grid, tick.labelled ? 1 : 0.4F));
+    if (!tick.labelled) continue;
+    const std::string text = tick_text(tick.value);
+    const float half = ImGui::CalcTextSize(text.c_str()).x / 2;
+    if (x + half < unit_x - scaled(8))
+      list.AddText({std::round(x - half), text_y}, palette::dim, text.c_str());
+  }
+}
+
+}  // namespace
+
+float LogAxis::place(double value) const {
+  return from + (to - from) * float(std::log(value / low) / std::log(high / low));
+}
+
+std::vector<MethodLine> method_lines(std::span<const Measurement> measured, Answer answer,
+                                     const ErrorMeasure& measure) {
+  std::vector<MethodLine> lines;
+  const auto all = points_against(measured, answer, measure);
+  for (const Method& method : methods()) {
+    MethodLine line{&method, {}};
+    for (const AnswerPoint& p : all)
+      if (measured[p.index].method == method.id && p.point.ms > 0 && std::isfinite(p.point.error))
+        line.points.push_back(p);
+    std::ranges::sort(line.points, std::greater{},
+                      [&](const AnswerPoint& p) { return measured[p.index].step; });
+    if (!line.points.empty()) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::optional<WorkPrecision> point_at_step(const MethodLine& line, std::span<const Measurement> measured,
+                                           double step) {
+  const auto step_of = [&](const AnswerPoint& p) { return measured[p.index].step; };
+  const auto fine = std::ranges::lower_bound(line.points, step, std::greater{}, step_of);
+  if (fine == line.points.end()) return std::nullopt;
+  if (step_of(*fine) == step || !line.method->has_step) return fine->point;
+  if (fine == line.points.begin()) return std::nullopt;
+  const AnswerPoint &a = *std::prev(fine), &b = *fine;
+  const double share = std::log(step / step_of(a)) / std::log(step_of(b) / step_of(a));
+  const auto between = [&](double from, double to) {
+    return from > 0 && to > 0 ? from * std::pow(to / from, share) : share < 0.5 ? from : to;
+  };
+  return WorkPrecision{between(a.point.ms, b.point.ms), between(a.point.error, b.point.error)};
+}
+
+ImVec2 AccuracyPlot::place(WorkPrecision point) const {
+  const bool is_zero = point.error < error.low;
+  return {ms.place(point.ms), is_zero ? (error.from + high.y) / 2 : error.place(point.error)};
+}
+
+AccuracyPlot accuracy_plot(std::span<const MethodLine> lines, double target, ImVec2 low, ImVec2 high) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  AccuracyPlot plot;
+  plot.low = {low.x + ImGui::CalcTextSize("1e-04").x + scaled(8), low.y + scaled(4)};
+  plot.high = {high.x - scaled(2), high.y - ImGui::GetFontSize() - scaled(6)};
+  double least_ms = infinity, most_ms = 0, least = infinity, most = 0;
+  for (const MethodLine& line : lines)
+    for (const AnswerPoint& p : line.points) {
+      least_ms = std::min(least_ms, p.point.ms);
+      most_ms = std::max(most_ms, p.point.ms);
+      most = std::max(most, p.point.error);
+      if (p.point.error > least_error)
+        least = std::min(least, p.point.error);
+      else
+        plot.has_zero = true;
+    }
+  if (target > least_error) {
+    least = std::min(least, target);
+    most = std::max(most, target);
+  }
+  plot.ms = axis_over(least_ms, most_ms);
+  plot.ms.from = plot.low.x;
+  plot.ms.to = plot.high.x;
+  plot.error = axis_over(least, most);
+  plot.error.from = plot.high.y - (plot.has_zero ? std::round(ImGui::GetFontSize() * 1.5F) : 0);
+  plot.error.to = plot.low.y;
+  return plot;
+}
+
+std::optional<std::size_t> point_near(const AccuracyPlot& plot, std::span<const MethodLine> lines,
+                                      ImVec2 mouse) {
+  std::optional<std::size_t> nearest;
+  float best = scaled(reach_pixels) * scaled(reach_pixels);
+  for (const MethodLine& line : lines)
+    for (const AnswerPoint& p : line.points) {
+      const ImVec2 at = plot.place(p.point);
+      const float dx = at.x - mouse.x, dy = at.y - mouse.y, distance = dx * dx + dy * dy;
+      if (distance > best) continue;
+      best = distance;
+      nearest = p.index;
+    }
+  return nearest;
+}
+
+ImU32 color_of(const Method& method) { return colors[index_of(method) % std::size(colors)]; }
+
+void draw_mark(ImDrawList& list, ImVec2 at, float radius, const Method& method, bool filled, float alpha) {
+  const float r = radius;
+  std::vector<ImVec2> corners;
+  switch (index_of(method) % 4) {
+    case 0:
+      for (int i = 0; i < 16; ++i) {
+        const float angle = float(i) * 0.392699F;
+        corners.push_back({at.x + r * std::cos(angle), at.y + r * std::sin(angle)});
+      }
+      break;
+    case 1:
+      corners = {{at.x - 0.87F * r, at.y - 0.87F * r},
+                 {at.x + 0.87F * r, at.y - 0.87F * r},
+                 {at.x + 0.87F * r, at.y + 0.87F * r},
+                 {at.x - 0.87F * r, at.y + 0.87F * r}};
+      break;
+    case 2:
+      corners = {
+          {at.x, at.y - 1.2F * r}, {at.x + 1.1F * r, at.y + 0.75F * r}, {at.x - 1.1F * r, at.y + 0.75F * r}};
+      break;
+    default:
+      corners = {
+          {at.x, at.y - 1.2F * r}, {at.x + 1.2F * r, at.y}, {at.x, at.y + 1.2F * r}, {at.x - 1.2F * r, at.y}};
+  }
+  const int count = int(corners.size());
+  const ImU32 color = color_of(method);
+  list.AddConvexPolyFilled(corners.data(), count, filled ? faded(color, alpha) : palette::plot);
+  list.AddPolyline(corners.data(), count, faded(color, alpha), ImDrawFlags_Closed, scaled(1.4F));
+}
+
+void draw_axes(ImDrawList& list, const AccuracyPlot& plot) {
+  list.AddRectFilled(plot.low, plot.high, palette::plot);
+  draw_error_axis(list, plot);
+  draw_time_axis(list, plot);
+}
+
+void draw_target(ImDrawList& list, const AccuracyPlot& plot, double target) {
+  const bool is_zero = target < plot.error.low;
+  const float y = is_zero ? plot.error.from : std::round(plot.error.place(target));
+  list.AddRectFilled({plot.low.x, y}, plot.high, faded(palette::good, 0.07F));
+  for (float x = plot.low.x; x < plot.high.x; x += scaled(8))
+    list.AddLine({x, y}, {std::min(x + scaled(4), plot.high.x), y}, faded(palette::good, 0.7F));
+  const std::string text = fmt::format("target {:.3g}", target);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const float text_y = y - size.y - scaled(2) > plot.low.y ? y - size.y - scaled(2) : y + scaled(2);
+  list.AddText({std::round(plot.high.x - size.x - scaled(5)), std::round(text_y)},
+               faded(palette::good, 0.85F), text.c_str());
+}
+
+void draw_front(ImDrawList& list, const AccuracyPlot& plot, std::span<const WorkPrecision> front) {
+  if (front.empty()) return;
+  std::vector<ImVec2> stairs{{plot.place(front.front()).x, plot.low.y}};
+  for (const WorkPrecision& point : front) {
+    const ImVec2 at = plot.place(point);
+    stairs.push_back({at.x, stairs.back().y});
+    stairs.push_back(at);
+  }
+  stairs.push_back({plot.high.x, stairs.back().y});
+  list.AddPolyline(stairs.data(), int(stairs.size()), IM_COL32(255, 255, 255, 40), ImDrawFlags_None,
+                   scaled(5));
+}
+
+void draw_line(ImDrawList& list, const AccuracyPlot& plot, const MethodLine& line, double target, float alpha,
+               bool emphasized) {
+  std::vector<ImVec2> places;
+  for (const AnswerPoint& p : line.points) places.push_back(plot.place(p.point));
+  list.AddPolyline(places.data(), int(places.size()), faded(color_of(*line.method), 0.85F * alpha),
+                   ImDrawFlags_None, scaled(emphasized ? 2.6F : 1.4F));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    draw_mark(list, places[i], scaled(emphasized ? 4.6F : 3.8F), *line.method,
+              line.points[i].point.error <= target, alpha);
+}
+
+void draw_ring(ImDrawList& list, const AccuracyPlot& plot, WorkPrecision point, float radius, ImU32 color,
+               const char* word, bool word_on_the_left) {
+  const ImVec2 at = plot.place(point);
+  list.AddCircle(at, radius, color, 24, scaled(1.8F));
+  const ImVec2 size = ImGui::CalcTextSize(word);
+  const float gap = radius + scaled(4), left = at.x - gap - size.x, right = at.x + gap;
+  const bool on_the_left = word_on_the_left ? left > plot.low.x : right + size.x > plot.high.x;
+  const ImVec2 corner{std::round(on_the_left ? left : right), std::round(at.y - size.y / 2)};
+  list.AddRectFilled({corner.x - scaled(2), corner.y}, {corner.x + size.x + scaled(2), corner.y + size.y},
+                     faded(palette::plot, 0.75F), scaled(3));
+  list.AddText(corner, color, word);
+}
+
+}  // namespace crest
