@@ -160,6 +160,12 @@ void point_tooltip(const Shown& shown, std::size_t index) {
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopStyleColor();
   };
+  // To the upper right, where work-precision diagrams are empty
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const float width = column + scaled(250) + 2 * ImGui::GetStyle().WindowPadding.x;
+  const float most_x = std::max(ImGui::GetIO().DisplaySize.x - width, 0.0F);
+  ImGui::SetNextWindowPos({std::min(mouse.x + scaled(14), most_x), mouse.y - scaled(14)}, ImGuiCond_Always,
+                          {0, 1});
   ImGui::BeginTooltip();
   ImGui::PushStyleColor(ImGuiCol_Text, color_of(*method));
   ImGui::TextUnformatted(method->name.data(), method->name.data() + method->name.size());

@@ -67,7 +67,9 @@ std::vector<Tick> ticks_of(const LogAxis& axis, float room) {
 }
 
 std::string tick_text(double value) {
-  return value >= 1e-3 && value < 1e5 ? fmt::format("{:.6g}", value) : fmt::format("{:.0e}", value);
+  if (value >= 1e-3 && value < 1e5) return fmt::format("{:.6g}", value);
+  const int decade = int(std::floor(std::log10(value * 1.000001)));
+  return fmt::format("{:.0f}e{}", value / std::pow(10.0, decade), decade);
 }
 
 void draw_error_axis(ImDrawList& list, const AccuracyPlot& plot) {
@@ -76,7 +78,7 @@ void draw_error_axis(ImDrawList& list, const AccuracyPlot& plot) {
     const float x = plot.low.x - scaled(6) - ImGui::CalcTextSize(text.c_str()).x;
     list.AddText({std::round(x), std::round(y - height / 2)}, palette::dim, text.c_str());
   };
-  for (const Tick& tick : ticks_of(plot.error, height * 1.5F)) {
+  for (const Tick& tick : ticks_of(plot.error, height * 2)) {
     const float y = std::round(plot.error.place(tick.value));
     list.AddLine({plot.low.x, y}, {plot.high.x, y}, faded(palette::grid, tick.labelled ? 1 : 0.4F));
     if (tick.labelled) label(y, tick_text(tick.value));
@@ -146,7 +148,7 @@ ImVec2 AccuracyPlot::place(WorkPrecision point) const {
 AccuracyPlot accuracy_plot(std::span<const MethodLine> lines, double target, ImVec2 low, ImVec2 high) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   AccuracyPlot plot;
-  plot.low = {low.x + ImGui::CalcTextSize("1e-04").x + scaled(8), low.y + scaled(4)};
+  plot.low = {low.x + ImGui::CalcTextSize("0.001").x + scaled(8), low.y + scaled(4)};
   plot.high = {high.x - scaled(2), high.y - ImGui::GetFontSize() - scaled(6)};
   double least_ms = infinity, most_ms = 0, least = infinity, most = 0;
   for (const MethodLine& line : lines)
