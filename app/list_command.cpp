@@ -6,6 +6,7 @@
 #include "presets/exporters.h"
 #include "presets/names.h"
 #include "presets/preset_file.h"
+#include "render/measure/methods.h"
 #include "render/volume/builtin.h"
 #include "render/volume/load.h"
 #include "ui/mode_text.h"
@@ -28,8 +29,15 @@ void list_formats() {
 }
 
 void list_methods() {
+  fmt::print("Modes:\n");
   for (const Mode mode : {Mode::both, Mode::dvr_only, Mode::peak_only, Mode::peak_xor_dvr})
-    fmt::print("--mode {:<14} {}\n", name_of(mode), explanation_of(mode));
+    fmt::print("  --mode {:<14} {}\n", name_of(mode), explanation_of(mode));
+  fmt::print("What crest report measures, against which exact answers:\n");
+  for (const Method& method : methods()) {
+    std::string answers;
+    for (const Answer answer : answers_of(method)) answers += fmt::format(" {}", name_of(answer));
+    fmt::print("  {:<16} {}\n{:18} {}; against{}\n", method.id, method.name, "", method.settings, answers);
+  }
 }
 
 void list_presets() {

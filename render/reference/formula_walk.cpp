@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr int degree = formula_degree;
 constexpr int most_halvings = 40;
+constexpr double most_noise = 1000;  // times the rounding that is asked for
 
 /// Interpolation at Chebyshev's extremal points, which include both ends.
 struct Interpolation {
@@ -43,7 +45,8 @@ const Interpolation& interpolation() {
 
 using Function = std::function<double(double)>;
 
-bool fit(const Function& value, const FittedPiece& whole, int halvings,
+/// `off_before` is how far the piece that this one is half of was from the function.
+bool fit(const Function& value, const FittedPiece& whole, double off_before, int halvings,
          const std::function<bool(const FittedPiece&)>& visit) {
   const Interpolation& rule = interpolation();
   FittedPiece piece = whole;
@@ -53,29 +56,32 @@ bool fit(const Function& value, const FittedPiece& whole, int halvings,
     const double rise = value(piece.begin + rule.node[i] * piece.length) - piece.offset;
     for (std::size_t k = 0; k <= degree; ++k) piece.f.c[k] += rise * rule.lagrange[i].c[k];
   }
-  bool fits = halvings == most_halvings;
-  if (!fits) {
-    fits = true;
-    for (std::size_t i = 0; fits && i < degree; ++i) {
-      const double between = std::midpoint(rule.node[i], rule.node[i + 1]);
-      const double off = piece.offset + piece.f(between) - value(piece.begin + between * piece.length);
-      fits = std::abs(off) <= piece.rounding;
-    }
+  double off = 0;
+  for (std::size_t i = 0; i < degree; ++i) {
+    const double between = std::midpoint(rule.node[i], rule.node[i + 1]);
+    off = std::max(off,
+                   std::abs(piece.offset + piece.f(between) - value(piece.begin + between * piece.length)));
   }
-  if (fits) return visit(piece);
+  // A small distance that halving leaves as it is is the rounding of the formula itself.
+  const bool is_noise = off < most_noise * whole.rounding && off > off_before / 4;
+  if (off <= whole.rounding || is_noise || halvings == most_halvings) {
+    piece.rounding = std::max(whole.rounding, 2 * off);
+    return visit(piece);
+  }
   FittedPiece half = whole;
   half.length /= 2;
-  if (!fit(value, half, halvings + 1, visit)) return false;
+  if (!fit(value, half, off, halvings + 1, visit)) return false;
   half.begin += half.length;
   half.length = whole.begin + whole.length - half.begin;
-  return fit(value, half, halvings + 1, visit);
+  return fit(value, half, off, halvings + 1, visit);
 }
 
 }  // namespace
 
 bool fit_pieces(const Function& value, double begin, double length, double rounding,
                 const std::function<bool(const FittedPiece&)>& visit) {
-  return fit(value, {.begin = begin, .length = length, .rounding = rounding}, 0, visit);
+  return fit(value, {.begin = begin, .length = length, .rounding = rounding},
+             std::numeric_limits<double>::infinity(), 0, visit);
 }
 
 }  // namespace crest::reference

@@ -61,29 +61,5 @@ TEST(Recommendation, IsTheFastestUnderTheTarget) {
   EXPECT_EQ(cheapest_under(measured, Answer::base_and_crossings, parse_target("rmse=1")), std::nullopt);
 }
 
-TEST(Convergence, IsFittedOnTheFinestStepsAboveRounding) {
-  std::vector<Measurement> measured;
-  for (double step = 4; step > 0.01; step /= 2) {
-    // Flat as long as the spike is lost, then of second order, until rounding
-    const double error = std::max(step > 0.6 ? 0.3 : 0.01 * step * step, 4e-7);
-    measured.push_back(measurement("dvr", step, 1 / step, error));
-  }
-  const auto convergence = convergence_of(measured, parse_target("rmse=1e-3"));
-  ASSERT_EQ(convergence.size(), 1u);
-  ASSERT_TRUE(convergence[0].fit);
-  EXPECT_NEAR(convergence[0].fit->order, 2, 1e-9);
-  EXPECT_EQ(convergence[0].fit->coarsest, 0.125);
-  EXPECT_EQ(convergence[0].fit->finest, 1.0 / 64);
-  EXPECT_EQ(convergence[0].fit->points, 4);
-  ASSERT_TRUE(convergence[0].cheapest);
-  EXPECT_EQ(measured[*convergence[0].cheapest].step, 0.25);
-  EXPECT_FALSE(convergence_of(measured, parse_target("rmse=1e-7"))[0].cheapest);
-}
-
-TEST(Convergence, NeedsThreeSteps) {
-  const std::vector<Measurement> two{measurement("dvr", 1, 1, 0.1), measurement("dvr", 0.5, 1, 0.01)};
-  EXPECT_FALSE(convergence_of(two, default_target())[0].fit);
-}
-
 }  // namespace
 }  // namespace crest

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "presets/json_text.h"
+
+namespace crest {
+
+/// Writes a web page that stands alone: `body` (HTML) in the look that all of Crest's pages have
+/// (web/page.css), and `script`, which finds web/chart.js' functions and `data`. Throws Error.
+void write_page(const std::filesystem::path& path, std::string_view title, std::string_view body,
+                std::string_view script, const Json& data);
+
+/// A file of app/report/web, by its name: "report.html".
+std::string_view web_file(std::string_view name);
+
+/// A file as a "data:" address, to be shown by a page without it. PNG only.
+std::string data_address(const std::filesystem::path& png);
+
+}  // namespace crest

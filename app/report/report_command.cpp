@@ -1,0 +1,225 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "app/commands.h"
+#include "app/offscreen_context.h"
+#include "app/report/interrupt.h"
+#include "app/report/progress_line.h"
+#include "app/report/report_files.h"
+#include "app/report/studies.h"
+#include "app/scene_options.h"
+#include "presets/error.h"
+#include "render/volume/load.h"
+
+namespace crest {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportOptions {
+  SceneOptions scene;
+  std::string output, size = "256x256", study, budget = "120s", target = to_string(default_target());
+  int device = -1;
+  bool json = false;
+  std::string command;  ///< as typed
+};
+
+glm::ivec2 pixels_of(const ReportOptions& options) {
+  PictureOptions picture;
+  picture.size = options.size;
+  return picture.pixels();
+}
+
+/// "120s", "2m", "1.5h", "90"; "none" is without a limit.
+std::optional<double> budget_seconds(const std::string& text) {
+  if (text == "none") return std::nullopt;
+  std::smatch match;
+  static const std::regex form(R"((\d{1,9}(?:\.\d{1,9})?)(s|m|h)?)");
+  if (!std::regex_match(text, match, form) || std::stod(match[1]) <= 0)
+    throw CLI::ValidationError("--budget",
+                               fmt::format("'{}' is not a time, as in 90s, 2m or 1h, nor 'none'", text));
+  const double unit = match[2] == "h" ? 3600 : match[2] == "m" ? 60 : 1;
+  return unit * std::stod(match[1]);
+}
+
+TargetError target_error(const std::string& text) {
+  try {
+    return parse_target(text);
+  } catch (const Error& error) {
+    throw CLI::ValidationError("--target-error", error.what());
+  }
+}
+
+const Study& find_study(const std::string& name) {
+  std::string names;
+  for (const Study& study : studies()) {
+    if (study.name == name) return study;
+    names += (names.empty() ? "" : ", ") + std::string(study.name);
+  }
+  throw CLI::ValidationError("--study", fmt::format("'{}' is not a study; there {}", name,
+                                                    names.empty() ? "is none yet" : "is: " + names));
+}
+
+/// In quotes where a shell would read it otherwise.
+std::string shell_word(const std::string& text) {
+  static const std::regex plain(R"([\w./:,=+-]+)");
+  if (std::regex_match(text, plain)) return text;
+  return fmt::format("'{}'", std::regex_replace(text, std::regex("'"), R"('\'')"));
+}
+
+/// What was typed, from what was understood.
+std::string command_text(const CLI::App& command) {
+  std::string text = "crest " + command.get_name();
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (!option->get_positional()) text += fmt::format(" {}", option->get_name());
+      if (option->get_items_expected_max() > 0) text += fmt::format(" {}", shell_word(value));
+    }
+  }
+  return text;
+}
+
+/// The command that renders with a method what the report is of.
+std::string render_command(const SceneOptions& scene, const Method& method, double step) {
+  std::string text = "crest render " + shell_word(scene.volume);
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) text += fmt::format(" {} {}", option, shell_word(value));
+  };
+  add("--preset", scene.preset);
+  add("--eye", scene.eye);
+  add("--target", scene.target);
+  add("--up", scene.up);
+  add("--fov", scene.fov);
+  for (const std::string& assignment : scene.sets) add("--set", assignment);
+  for (const std::string& assignment : assignments_of(method, step)) add("--set", assignment);
+  add("--set", "rendering.shading=none");
+  add("--set", "rendering.early_termination=0");
+  return text + (scene.fit_range ? " --fit-range" : "") + " -o picture.png";
+}
+
+Report subject_of(const ReportOptions& options) {
+  Report report;
+  report.size = pixels_of(options);
+  report.settings.budget_seconds = budget_seconds(options.budget);
+  report.settings.target = target_error(options.target);
+  const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
+  const Preset preset = options.scene.read_preset(*volume);
+  report.scene = make_scene(volume, preset);
+  report.camera = camera_of(preset, *volume);
+  report.subject.command = options.command;
+  report.subject.volume = options.scene.volume;
+  report.subject.preset = options.scene.preset;
+  report.subject.made_at =
+      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                  std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now()));
+  report.subject.render_command = [scene = options.scene](const Method& method, double step) {
+    return render_command(scene, method, step);
+  };
+  return report;
+}
+
+void make_report(const ReportOptions& options, std::stop_token stop) {
+  Report report = subject_of(options);
+  const OffscreenContext context(options.device);
+  report.subject.renderer = context.renderer();
+  {
+    ProgressLine progress(report.settings.budget_seconds);
+    const auto begin = std::chrono::steady_clock::now();
+    measure_report(report, stop, [&](std::string_view doing, double done) {
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+      progress.show(doing, done, report.points.size(), taken.count());
+    });
+  }
+  const fs::path folder = options.output;
+  if (report.points.empty())
+    throw Error(fmt::format("{}: nothing was measured: {}", folder.string(),
+                            stop.stop_requested() ? "stopped before the first point"
+                            : report.left_out.empty()
+                                ? "no method is left"
+                                : report.left_out.front().what + ": " + report.left_out.front().why));
+  const Json json = write_report(report, folder);
+  if (options.json) fmt::print("{}", print_json(json));
+  if (report.stopped)
+    throw Error(fmt::format("stopped after {} points; {} has what was measured", report.points.size(),
+                            (folder / "report.html").string()));
+  if (!options.json) fmt::print("{}\n", (folder / "report.html").string());
+}
+
+void run_study(const ReportOptions& options, std::stop_token stop) {
+  StudyOptions study_options;
+  study_options.folder = options.output;
+  study_options.size = pixels_of(options);
+  study_options.budget_seconds = budget_seconds(options.budget);
+  study_options.device = options.device;
+  study_options.json = options.json;
+  study_options.command = options.command;
+  study_options.stop = stop;
+  find_study(options.study).run(study_options);
+}
+
+/// Makes the folder before any work, and takes it away again if nothing came into it.
+void run_in_folder(const ReportOptions& options) {
+  if (!options.study.empty()) find_study(options.study);
+  const fs::path folder = options.output;
+  std::error_code fault;
+  const bool is_new = fs::create_directories(folder, fault);
+  if (fault || !fs::is_directory(folder))
+    throw Error(fmt::format("{}: cannot be made a folder: {}", folder.string(),
+                            fault ? fault.message() : "it is a file"));
+  try {
+    const Interrupt interrupt;
+    if (options.study.empty())
+      make_report(options, interrupt.token());
+    else
+      run_study(options, interrupt.token());
+  } catch (...) {
+    if (is_new) fs::remove(folder, fault);  // only an empty one goes
+    throw;
+  }
+}
+
+std::string study_help() {
+  std::string text = "A study instead of a scene's report";
+  for (const Study& study : studies()) text += fmt::format("; {}: {}", study.name, study.summary);
+  return text;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app, Action& chosen) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand("report", "Measure error against run time, and write a report");
+  CLI::Option* volume = command->add_option("VOLUME", options->scene.volume, "What to render (crest --help)");
+  options->scene.add_to(*command);
+  command->add_option("-o,--output", options->output, "The folder of the report")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--size", options->size, "Width x height in pixels")
+      ->capture_default_str()
+      ->type_name("WxH");
+  command->add_option("--budget", options->budget, "Time for all of it: 90s, 2m, 1h, or none")
+      ->capture_default_str()
+      ->type_name("TIME");
+  command
+      ->add_option("--target-error", options->target,
+                   "The error that the recommended setting keeps under: share, rmse, max, p999, flip, missed "
+                   "or invented")
+      ->capture_default_str()
+      ->type_name("MEASURE=X");
+  command->add_option("--study", options->study, study_help())->type_name("NAME")->excludes(volume);
+  command->add_option("--device", options->device,
+                      "Graphics device (crest list devices); hardware first by default");
+  command->add_flag("--json", options->json, "Print report.json, too");
+  command->callback([options, command, &chosen] {
+    if (options->study.empty() && options->scene.volume.empty())
+      throw CLI::RequiredError("VOLUME, or --study");
+    options->command = command_text(*command);
+    chosen = [options] { run_in_folder(*options); };
+  });
+}
+
+}  // namespace crest

@@ -1,0 +1,96 @@
+#include "app/report/report_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace crest {
+namespace {
+
+/// matplotlib's "inferno", at nine places: even in lightness, and readable in grey and by the colour-blind.
+constexpr std::array<std::uint32_t, 9> inferno{0x000004, 0x210c4a, 0x57106e, 0x8a226a, 0xbc3754,
+                                               0xe45a31, 0xf98e09, 0xf9cb35, 0xfcffa4};
+constexpr std::uint32_t not_compared = 0x5b6470, grazing = 0x2aa198;
+
+glm::vec4 color_of(std::uint32_t rgb) {
+  return {float(rgb >> 16) / 255, float(rgb >> 8 & 255) / 255, float(rgb & 255) / 255, 1};
+}
+
+glm::vec4 error_color(float error) {
+  const double decades = std::log10(most_shown_error / least_shown_error);
+  const double height = error > 0 ? 1 + std::log10(error / most_shown_error) / decades : 0;
+  const double place = std::clamp(height, 0.0, 1.0) * (inferno.size() - 1);
+  const auto below = std::min(std::size_t(place), inferno.size() - 2);
+  return glm::mix(color_of(inferno[below]), color_of(inferno[below + 1]), float(place - double(below)));
+}
+
+std::string in_file_name(std::string text) {
+  std::ranges::replace(text, '+', '-');
+  return text;
+}
+
+std::string stem(const Measurement& point) {
+  return point.step > 0 ? fmt::format("{}-step-{}", point.method, point.step) : point.method;
+}
+
+std::string file_name(const std::string& stem) { return fmt::format("images/{}.png", in_file_name(stem)); }
+
+}  // namespace
+
+ErrorColors error_colors() {
+  const auto text = [](std::uint32_t rgb) { return fmt::format("#{:06x}", rgb); };
+  ErrorColors colors{{}, text(not_compared), text(grazing)};
+  for (const std::uint32_t rgb : inferno) colors.scale.push_back(text(rgb));
+  return colors;
+}
+
+Image error_picture(const Reference& exact, const Image& image) {
+  const Image wanted = exact.image();
+  const auto differences = pixel_differences(wanted, image);
+  Image picture{image.size, {}};
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    const bool is_compared = wanted.pixels[i].a > 0 || !(image.pixels[i].a <= 0);
+    picture.pixels.push_back(!is_compared       ? color_of(not_compared)
+                             : exact.grazing[i] ? color_of(grazing)
+                                                : error_color(differences[i]));
+  }
+  return picture;
+}
+
+std::string picture_name(const Measurement& point) { return file_name(stem(point)); }
+
+std::string error_picture_name(const Measurement& point, Answer answer) {
+  return file_name(fmt::format("{}-error-{}", stem(point), name_of(answer)));
+}
+
+std::string exact_picture_name(Answer answer) { return file_name(fmt::format("exact-{}", name_of(answer))); }
+
+std::string difference_picture_name(Answer answer) {
+  return file_name(fmt::format("model-difference-{}", name_of(answer)));
+}
+
+std::vector<std::string> write_pictures(const Report& report, const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  const auto write = [&](const std::string& name, const Image& image) {
+    write_image(folder / name, image, report.background());
+    names.push_back(name);
+  };
+  for (const auto& [answer, exact] : report.references) {
+    write(exact_picture_name(answer), exact.image());
+    if (model_difference(report, answer))
+      write(difference_picture_name(answer),
+            error_picture(report.references.at(Answer::integral), exact.image()));
+  }
+  for (const auto& [index, image] : report.pictures) {
+    const Measurement& point = report.points[index];
+    write(picture_name(point), image);
+    for (const auto& [answer, error] : point.errors)
+      write(error_picture_name(point, answer), error_picture(report.references.at(answer), image));
+  }
+  return names;
+}
+
+}  // namespace crest

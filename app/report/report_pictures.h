@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/report/report.h"
+
+namespace crest {
+
+/// Error pictures show a pixel's largest channel difference by its logarithm, from black to the scale's
+/// brightest colour. All have this one scale, so that they can be compared.
+inline constexpr double least_shown_error = 1e-5, most_shown_error = 1;
+
+/// Colours as "#rrggbb", from `least_shown_error` to `most_shown_error` at equal distances; then that of
+/// pixels which show nothing in both pictures, and that of grazing pixels.
+struct ErrorColors {
+  std::vector<std::string> scale;
+  std::string not_compared, grazing;
+};
+ErrorColors error_colors();
+
+/// `image` against the exact picture, in those colours.
+Image error_picture(const Reference& exact, const Image& image);
+
+/// File names below the report's folder.
+std::string picture_name(const Measurement& point);
+std::string error_picture_name(const Measurement& point, Answer answer);
+std::string exact_picture_name(Answer answer);
+std::string difference_picture_name(Answer answer);
+
+/// Writes all pictures of a report below `folder` and returns their names. Throws Error.
+std::vector<std::string> write_pictures(const Report& report, const std::filesystem::path& folder);
+
+}  // namespace crest

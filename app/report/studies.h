@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+namespace crest {
+
+/// What `crest report --study NAME` says about how to run one.
+struct StudyOptions {
+  std::filesystem::path folder;  ///< where its files go; it is there
+  glm::ivec2 size{256};
+  std::optional<double> budget_seconds;
+  int device = -1;
+  bool json = false;     ///< also print its JSON
+  std::string command;   ///< as typed, for the page
+  std::stop_token stop;  ///< asked for by Ctrl-C
+};
+
+/// A report on one question, with scenes of its own.
+struct Study {
+  std::string_view name, summary;
+  void (*run)(const StudyOptions& options);
+};
+
+/// All studies: a new one is a line here.
+std::span<const Study> studies();
+
+}  // namespace crest
