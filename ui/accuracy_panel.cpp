@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/measure/method_convergence.h"
 #include "render/measure/pareto.h"
 #include "ui/accuracy_plot.h"
 #include "ui/style.h"
@@ -41,18 +42,22 @@ struct Shown {
   std::vector<MethodLine> lines{};
   std::vector<WorkPrecision> front{};
   std::optional<std::size_t> recommended{};
+  std::vector<MethodConvergence> convergences{};  ///< to this answer
   const Method* present = nullptr;  ///< with which the document renders; null when it is not in the table
   std::optional<WorkPrecision> present_point{};
 };
 
-const Method* method_of(const Rendering& rendering) {
+/// The lookup takes a millisecond or so, hence once for each setting.
+const Method* method_of(const Rendering& rendering, AccuracyState& state) {
+  if (state.present && state.present->rendering == rendering) return state.present->method;
   const auto found = std::ranges::find_if(methods(), [&](const Method& method) {
     return with_method(rendering, method, rendering.step) == rendering;
   });
-  return found == methods().end() ? nullptr : &*found;
+  state.present = {rendering, found == methods().end() ? nullptr : &*found};
+  return state.present->method;
 }
 
-Shown shown_results(const AccuracyResults& results, const AccuracyState& state, const Rendering& rendering) {
+Shown shown_results(const AccuracyResults& results, AccuracyState& state, const Rendering& rendering) {
   Shown shown{results, state.answer.value_or(answers_of(rendering).front()), state.target};
   const auto& measured = results.measured;
   if (measured.empty()) return shown;
@@ -61,10 +66,18 @@ Shown shown_results(const AccuracyResults& results, const AccuracyState& state, 
   for (const std::size_t i : pareto_front(measured, shown.answer, measure))
     shown.front.push_back({measured[i].frame_ms, measure.value(*measured[i].error_against(shown.answer))});
   shown.recommended = cheapest_under(measured, shown.answer, shown.target);
-  shown.present = method_of(rendering);
+  for (MethodConvergence& convergence : convergence_of(measured, shown.target))
+    if (convergence.answer == shown.answer) shown.convergences.push_back(std::move(convergence));
+  shown.present = method_of(rendering, state);
   for (const MethodLine& line : shown.lines)
     if (line.method == shown.present) shown.present_point = point_at_step(line, measured, rendering.step);
   return shown;
+}
+
+/// Steps are powers of two.
+std::string step_text(double step) {
+  const double parts = 1 / step;
+  return step < 1 && parts == std::round(parts) ? fmt::format("1/{}", parts) : short_text(step);
 }
 
 std::string ms_text(double ms) { return ms < 100 ? fmt::format("{:.3g}", ms) : fmt::format("{:.0f}", ms); }
@@ -171,7 +184,7 @@ void point_tooltip(const Shown& shown, std::size_t index) {
   ImGui::TextUnformatted(method->name.data(), method->name.data() + method->name.size());
   ImGui::PopStyleColor();
   ImGui::Separator();
-  if (method->has_step) row(short_text(m.step), "step, in the smallest spacing");
+  if (method->has_step) row(step_text(m.step), "step, in the smallest spacing");
   row(ms_text(m.frame_ms), "ms a frame");
   row(fmt::format("{:.4g}", m.samples_per_ray),
       fmt::format("samples a ray, {:.4g} for DVR", m.dvr_samples_per_ray));
@@ -266,21 +279,11 @@ bool diagram(Document& document, StudioState& state, const Shown& shown, float h
   return clicked && hovered && apply(document, state.accuracy, shown, *hovered);
 }
 
-void dim_cell(const std::string& text, const char* meaning) {
-  ImGui::TableNextColumn();
-  ImGui::TextDisabled("%s", text.c_str());
-  tip(meaning);
-}
-
 /// A method: its order of convergence, and its cheapest setting that meets the target.
-bool method_row(Document& document, StudioState& state, const Shown& shown, const MethodLine& line,
-                const std::vector<Convergence>& convergences) {
-  const auto is_this = [&](const Convergence& c) {
-    return c.method == line.method->id && c.answer == shown.answer;
-  };
-  const auto found = std::ranges::find_if(convergences, is_this);
-  if (found == convergences.end()) return false;
-  const auto& [fit, cheapest] = std::tie(found->fit, found->cheapest);
+bool method_row(Document& document, StudioState& state, const Shown& shown, const MethodLine& line) {
+  const auto found = std::ranges::find(shown.convergences, line.method->id, &MethodConvergence::method);
+  if (found == shown.convergences.end()) return false;
+  const auto& cheapest = found->cheapest;
   ImGui::TableNextColumn();
   const std::string name(line.method->name);
   const float mark = ImGui::GetFontSize();
@@ -289,26 +292,49 @@ bool method_row(Document& document, StudioState& state, const Shown& shown, cons
                                          ImGuiSelectableFlags_SpanAllColumns);
   note_item(state.widgets, fmt::format("method/{}", line.method->id));
   if (ImGui::IsItemHovered()) state.accuracy.hovered_method = line.method->id;
-  tip(cheapest ? "Click to render with its cheapest setting that meets the target"
-               : "No setting that was measured meets the target");
+  tip(!cheapest ? "No setting that was measured meets the target"
+      : !found->steady
+          ? "Click to render with its cheapest setting that meets the target.\n* Some finer steps miss "
+            "it again: this one may owe it to chance."
+          : "Click to render with its cheapest setting that meets the target");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_mark(list, {at.x + mark / 2, at.y + mark / 2}, scaled(4), *line.method, true);
   list.AddText({at.x + mark + scaled(6), at.y}, palette::text, name.c_str());
-  dim_cell(fit ? fmt::format("{:.2f}", fit->order) : "-",
-           "Order of convergence: the slope of log(RMSE) over log(step), at the finest steps");
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", found->fit ? fmt::format("{:.2f}", found->fit->order).c_str() : "-");
+  ImGui::TableNextColumn();
   if (!cheapest) {
-    dim_cell("-", "The step of its cheapest setting that meets the target");
-    dim_cell("-", "Milliseconds a frame at that step");
+    ImGui::TextDisabled("-");
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("-");
     return false;
   }
   const Measurement& m = shown.results.measured[*cheapest];
-  dim_cell(line.method->has_step ? short_text(m.step) : "-",
-           "The step of its cheapest setting that meets the target");
+  ImGui::TextDisabled("%s%s", line.method->has_step ? step_text(m.step).c_str() : "-",
+                      found->steady ? "" : " *");
   ImGui::TableNextColumn();
-  ImGui::TextColored(
-      ImGui::ColorConvertU32ToFloat4(shown.recommended == cheapest ? palette::good : palette::text), "%s",
-      ms_text(m.frame_ms).c_str());
+  const ImU32 color = shown.recommended == cheapest ? palette::good : palette::text;
+  ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color), "%s", ms_text(m.frame_ms).c_str());
   return clicked && apply(document, state.accuracy, shown, *cheapest);
+}
+
+void table_head() {
+  static constexpr std::pair<const char*, const char*> columns[] = {
+      {"Method", "A click on a row takes its cheapest setting that meets the target"},
+      {"Order",
+       "Of convergence: the slope of log(RMSE) over log(step), fitted at the finest steps\nwhere the error "
+       "is a power of the step"},
+      {"Step", "Of the cheapest setting that meets the target"},
+      {"ms", "A frame at that step"}};
+  ImGui::TableSetupColumn(columns[0].first, ImGuiTableColumnFlags_WidthStretch);
+  for (std::size_t i = 1; i < std::size(columns); ++i)
+    ImGui::TableSetupColumn(columns[i].first, ImGuiTableColumnFlags_WidthFixed, scaled(54));
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (const auto& [name, meaning] : columns) {
+    ImGui::TableNextColumn();
+    ImGui::TableHeader(name);
+    tip(meaning);
+  }
 }
 
 bool method_table(Document& document, StudioState& state, const Shown& shown) {
@@ -316,14 +342,9 @@ bool method_table(Document& document, StudioState& state, const Shown& shown) {
   if (shown.lines.empty()) return false;
   constexpr ImGuiTableFlags flags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
   if (!ImGui::BeginTable("methods", 4, flags)) return false;
-  ImGui::TableSetupColumn("Method", ImGuiTableColumnFlags_WidthStretch);
-  for (const char* name : {"Order", "Step", "ms"})
-    ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, scaled(58));
-  ImGui::TableHeadersRow();
+  table_head();
   bool changed = false;
-  const auto convergences = convergence_of(shown.results.measured, shown.target);
-  for (const MethodLine& line : shown.lines)
-    changed |= method_row(document, state, shown, line, convergences);
+  for (const MethodLine& line : shown.lines) changed |= method_row(document, state, shown, line);
   ImGui::EndTable();
   return changed;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <limits>
 
 #include "ui/style.h"
@@ -17,11 +18,17 @@ constexpr double margin = 1.5;         // beyond the first and the last point
 constexpr double least_span = 20;      // from an axis' low end to its high end
 constexpr double least_error = 1e-12;  // far below the rounding of 32-bit float
 
-constexpr ImU32 colors[] = {IM_COL32(94, 166, 232, 255),  IM_COL32(242, 160, 76, 255),
-                            IM_COL32(112, 200, 122, 255), IM_COL32(236, 112, 112, 255),
-                            IM_COL32(180, 142, 234, 255), IM_COL32(84, 204, 204, 255),
-                            IM_COL32(232, 212, 98, 255),  IM_COL32(238, 142, 194, 255),
-                            IM_COL32(196, 156, 118, 255), IM_COL32(164, 204, 74, 255)};
+constexpr ImU32 colors[] = {IM_COL32(86, 180, 233, 255),  IM_COL32(240, 138, 60, 255),
+                            IM_COL32(62, 201, 160, 255),  IM_COL32(221, 139, 203, 255),
+                            IM_COL32(230, 192, 74, 255),  IM_COL32(143, 156, 245, 255),
+                            IM_COL32(214, 168, 120, 255), IM_COL32(255, 125, 166, 255)};
+
+/// Circle, square, triangle, diamond, triangle: corners about the middle.
+constexpr glm::vec2 square[] = {{-0.9F, -0.9F}, {0.9F, -0.9F}, {0.9F, 0.9F}, {-0.9F, 0.9F}};
+constexpr glm::vec2 triangle_up[] = {{0, -1.2F}, {1.1F, 0.8F}, {-1.1F, 0.8F}};
+constexpr glm::vec2 diamond[] = {{0, -1.25F}, {1.25F, 0}, {0, 1.25F}, {-1.25F, 0}};
+constexpr glm::vec2 triangle_down[] = {{0, 1.2F}, {-1.1F, -0.8F}, {1.1F, -0.8F}};
+constexpr std::span<const glm::vec2> polygons[] = {{}, square, triangle_up, diamond, triangle_down};
 
 std::size_t index_of(const Method& method) {
   return std::size_t(std::ranges::find(methods(), method.id, &Method::id) - methods().begin());
@@ -116,7 +123,8 @@ std::vector<MethodLine> method_lines(std::span<const Measurement> measured, Answ
   for (const Method& method : methods()) {
     MethodLine line{&method, {}};
     for (const AnswerPoint& p : all)
-      if (measured[p.index].method == method.id && p.point.ms > 0 && std::isfinite(p.point.error))
+      if (measured[p.index].method == method.id && p.point.ms > 0 && std::isfinite(p.point.ms) &&
+          std::isfinite(p.point.error))
         line.points.push_back(p);
     std::ranges::sort(line.points, std::greater{},
                       [&](const AnswerPoint& p) { return measured[p.index].step; });
@@ -192,33 +200,18 @@ std::optional<std::size_t> point_near(const AccuracyPlot& plot, std::span<const 
 ImU32 color_of(const Method& method) { return colors[index_of(method) % std::size(colors)]; }
 
 void draw_mark(ImDrawList& list, ImVec2 at, float radius, const Method& method, bool filled, float alpha) {
-  const float r = radius;
-  std::vector<ImVec2> corners;
-  switch (index_of(method) % 4) {
-    case 0:
-      for (int i = 0; i < 16; ++i) {
-        const float angle = float(i) * 0.392699F;
-        corners.push_back({at.x + r * std::cos(angle), at.y + r * std::sin(angle)});
-      }
-      break;
-    case 1:
-      corners = {{at.x - 0.87F * r, at.y - 0.87F * r},
-                 {at.x + 0.87F * r, at.y - 0.87F * r},
-                 {at.x + 0.87F * r, at.y + 0.87F * r},
-                 {at.x - 0.87F * r, at.y + 0.87F * r}};
-      break;
-    case 2:
-      corners = {
-          {at.x, at.y - 1.2F * r}, {at.x + 1.1F * r, at.y + 0.75F * r}, {at.x - 1.1F * r, at.y + 0.75F * r}};
-      break;
-    default:
-      corners = {
-          {at.x, at.y - 1.2F * r}, {at.x + 1.2F * r, at.y}, {at.x, at.y + 1.2F * r}, {at.x - 1.2F * r, at.y}};
+  const ImU32 edge = faded(color_of(method), alpha), inner = filled ? edge : palette::plot;
+  const auto polygon = polygons[index_of(method) % std::size(polygons)];
+  if (polygon.empty()) {
+    list.AddCircleFilled(at, radius, inner, 16);
+    list.AddCircle(at, radius, edge, 16, scaled(1.4F));
+    return;
   }
-  const int count = int(corners.size());
-  const ImU32 color = color_of(method);
-  list.AddConvexPolyFilled(corners.data(), count, filled ? faded(color, alpha) : palette::plot);
-  list.AddPolyline(corners.data(), count, faded(color, alpha), ImDrawFlags_Closed, scaled(1.4F));
+  std::vector<ImVec2> corners;
+  for (const glm::vec2 corner : polygon)
+    corners.push_back({at.x + radius * corner.x, at.y + radius * corner.y});
+  list.AddConvexPolyFilled(corners.data(), int(corners.size()), inner);
+  list.AddPolyline(corners.data(), int(corners.size()), edge, ImDrawFlags_Closed, scaled(1.4F));
 }
 
 void draw_axes(ImDrawList& list, const AccuracyPlot& plot) {

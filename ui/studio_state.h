@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "render/measure/image_error.h"
+#include "render/measure/methods.h"
 #include "ui/editor_state.h"
 #include "ui/file_dialog.h"
 #include "ui/history.h"
@@ -22,6 +23,11 @@ struct AccuracyState {
   std::optional<Answer> answer;  ///< against which errors are shown; without one, that of the preset's mode
   TargetError target = default_target();
   std::string_view hovered_method;  ///< in the list, in the last frame: a Method::id
+  struct Present {
+    Rendering rendering;
+    const Method* method = nullptr;  ///< null where none of methods() renders so
+  };
+  std::optional<Present> present;  ///< the document's, when it was last looked up
 };
 
 /// Shares of the window: the rest goes to the views, and to the panels below the editor.
