@@ -70,6 +70,11 @@ Preset set_field(const Preset& preset, std::string_view path_and_value) {
   Json json = preset_to_json(preset, Fields::all);
   if (path.starts_with("camera.") && json["camera"].is_null())
     json["camera"] = camera_to_json({}, Fields::all);
+  if (path.starts_with("rendering.clip_box.") && !preset.rendering.clip_box)
+    throw Error(
+        fmt::format("{}: there is no clip box yet; set it whole, as in "
+                    "rendering.clip_box={{\"min\":[0,0,0],\"max\":[1,1,1]}}",
+                    path));
   find(json, path) = Json::accept(value) ? parse_json(value) : Json(value);
   return preset_from_json(std::move(json));
 }

@@ -1,5 +1,8 @@
 #include "ui/rendering_panel.h"
 
+#include <algorithm>
+#include <array>
+
 namespace crest {
 namespace {
 
@@ -15,9 +18,56 @@ void row(const char* text, const char* meaning) {
   ImGui::TableNextColumn();
 }
 
+/// One axis of the clip box. Its planes keep a thousandth of the volume between them.
+bool clip_axis(WidgetState& widgets, ClipBox& clip, int axis, ValueRange side, float width) {
+  static constexpr std::array names{"##clip min x", "##clip min y", "##clip min z",
+                                    "##clip max x", "##clip max y", "##clip max z"};
+  const float half = (width - ImGui::GetStyle().ItemInnerSpacing.x) / 2;
+  const double least = side.width() / 1000;
+  double& low = clip.min[axis];
+  double& high = clip.max[axis];
+  bool changed = false;
+  if (slider(widgets, names[std::size_t(axis)], low, side, half)) {
+    low = std::min(low, side.max - least);
+    high = std::max(high, low + least);
+    changed = true;
+  }
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  if (slider(widgets, names[std::size_t(axis) + 3], high, side, half)) {
+    high = std::max(high, side.min + least);
+    low = std::min(low, high - least);
+    changed = true;
+  }
+  return changed;
+}
+
+/// Whether there is a clip box, and its planes in the volume's box.
+bool clip_rows(WidgetState& widgets, std::optional<ClipBox>& clip, const Volume* volume, float width) {
+  bool changed = false;
+  row("Clip box", "Only what lies in this box is rendered: from and to on each axis, in world units");
+  bool clipped = clip.has_value();
+  if (volume || clipped) {
+    changed = ImGui::Checkbox("##clip box", &clipped);
+    note_item(widgets, "##clip box");
+  } else {
+    ImGui::TextDisabled("no volume");
+  }
+  if (changed) clip.reset();
+  if (changed && clipped) clip = ClipBox{volume->grid.box_min(), volume->grid.box_max(), ""};
+  if (!clip) return changed;
+  for (int axis = 0; axis < 3; ++axis) {
+    static constexpr const char* labels[] = {"    x", "    y", "    z"};
+    row(labels[axis], "Where the clip box begins and ends; Ctrl+click types a number");
+    const ValueRange side = volume ? ValueRange{volume->grid.box_min()[axis], volume->grid.box_max()[axis]}
+                                   : ValueRange{clip->min[axis], clip->max[axis]};
+    changed |= clip_axis(widgets, *clip, axis, side, width);
+  }
+  return changed;
+}
+
 }  // namespace
 
-bool rendering_panel(Document& document, StudioState& state) {
+bool rendering_panel(Document& document, StudioState& state, const StudioInputs& inputs) {
   Rendering& r = document.preset.rendering;
   WidgetState& widgets = state.widgets;
   if (!ImGui::BeginTable("rendering", 2, ImGuiTableFlags_SizingStretchProp)) return false;
@@ -27,6 +77,13 @@ bool rendering_panel(Document& document, StudioState& state) {
   bool changed = false;
   row("Step", "Length of a ray's steps, in the smallest spacing of the volume");
   changed |= number_field(widgets, "##step", r.step, {least_step, largest_step}, field);
+  row("Placement",
+      "Where a ray's samples lie:\nentry_exit_corner - midpoints of equal segments, at least one\nentry_exit "
+      "- the "
+      "same, but none in a corner shorter than a step\nentry, eye - whole steps from the entry or the eye; "
+      "the last "
+      "one falls short or sticks out");
+  changed |= choice(widgets, "##placement", r.placement, field);
   row("Peak form",
       "How a step with crossings is integrated:\nsplit - divided at its crossings (second order)\npaper - as "
       "published (first order)");
@@ -39,6 +96,7 @@ bool rendering_panel(Document& document, StudioState& state) {
   changed |= choice(widgets, "##shading", r.shading, field);
   row("Early termination", "Residual transmittance at which a ray stops; 0 = never");
   changed |= number_field(widgets, "##early termination", r.early_termination, {0, 1}, field);
+  changed |= clip_rows(widgets, r.clip_box, inputs.volume, field);
   row("Background", "Behind the volume");
   changed |= color_square(widgets, "##background", r.background);
   row("Mode in the file", "The mode that the preset is rendered in elsewhere; the views show all four");

@@ -5,6 +5,6 @@
 namespace crest {
 
 /// How the pictures are made. Returns whether it changed the document.
-bool rendering_panel(Document& document, StudioState& state);
+bool rendering_panel(Document& document, StudioState& state, const StudioInputs& inputs);
 
 }  // namespace crest

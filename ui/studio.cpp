@@ -62,7 +62,7 @@ bool tabs(Document& document, StudioState& state, const StudioInputs& inputs) {
   const bool rendering = ImGui::BeginTabItem("Rendering");
   note_item(state.widgets, "tab/Rendering");
   if (rendering) {
-    changed |= rendering_panel(document, state);
+    changed |= rendering_panel(document, state, inputs);
     ImGui::EndTabItem();
   }
   ImGui::EndTabBar();

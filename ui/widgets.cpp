@@ -76,6 +76,15 @@ bool integer_field(WidgetState& state, const char* name, int& value, int least, 
   return value != before;
 }
 
+bool slider(WidgetState& state, const char* name, double& value, ValueRange limits, float width) {
+  ImGui::SetNextItemWidth(width);
+  const double before = value;
+  ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &limits.min, &limits.max, "%.6g",
+                      ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_AlwaysClamp);
+  note_item(state, name);
+  return value != before;
+}
+
 bool color_square(WidgetState& state, const char* name, glm::dvec3& color) {
   float rgb[3] = {float(color.r), float(color.g), float(color.b)};
   const bool changed =

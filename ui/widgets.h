@@ -42,6 +42,9 @@ std::string short_text(double value);
 bool number_field(WidgetState& state, const char* name, double& value, ValueRange limits, float width);
 bool integer_field(WidgetState& state, const char* name, int& value, int least, int most, float width);
 
+/// A slider between `limits`; Ctrl+click types a number. Returns whether the value changed.
+bool slider(WidgetState& state, const char* name, double& value, ValueRange limits, float width);
+
 /// A colour as a small square that opens a picker.
 bool color_square(WidgetState& state, const char* name, glm::dvec3& color);
 /// The picker alone, for a popup.

@@ -4,11 +4,19 @@
 
 #include <algorithm>
 
+#include "presets/names.h"
+#include "render/volume/clip.h"
+
 namespace crest {
 namespace {
 
 bool shows_anything(const TransferFunction& tf) {
   return std::ranges::any_of(tf.points, [](const ControlPoint& p) { return p.opacity > 0; });
+}
+
+bool takes_away(const std::optional<ClipBox>& clip, const Grid& grid) {
+  const Box box = rendered_box(grid, clip);
+  return box.min != grid.box_min() || box.max != grid.box_max();
 }
 
 }  // namespace
@@ -28,6 +36,8 @@ Features needed_features(const Volume& volume, const Classification& classificat
   features.base_tf =
       rendering.mode == Mode::peak_xor_dvr && rendering.peak_form == PeakForm::split &&
       std::ranges::any_of(classification.peaks, [](const Peak& p) { return p.spike && p.shown; });
+  if (features.dvr || features.peaks) features.placement = rendering.placement;
+  features.clip_box = takes_away(rendering.clip_box, volume.grid);
   features.shading = rendering.shading == Shading::gradient;
   features.early_termination = rendering.early_termination > 0;
   features.empty_cells = volume.has_empty_cells();
@@ -46,6 +56,9 @@ std::vector<std::string> shader_defines(const Features& f) {
   add("SPLIT", f.split);
   add("EXTREMA", f.extrema);
   add("EXCLUSIVE", f.exclusive);
+  add("PLACEMENT_EYE", f.placement == Placement::eye);
+  add("PLACEMENT_ENTRY", f.placement == Placement::entry);
+  add("PLACEMENT_ENTRY_EXIT", f.placement == Placement::entry_exit);
   add("SHADING", f.shading);
   add("EARLY_TERMINATION", f.early_termination);
   add("EMPTY_CELLS", f.empty_cells);
@@ -55,7 +68,7 @@ std::vector<std::string> shader_defines(const Features& f) {
 
 std::vector<std::string> feature_names(const Features& f) {
   std::vector<std::string> names;
-  const auto add = [&](bool in, const char* name) {
+  const auto add = [&](bool in, std::string_view name) {
     if (in) names.emplace_back(name);
   };
   add(f.dvr, "dvr");
@@ -65,6 +78,8 @@ std::vector<std::string> feature_names(const Features& f) {
   add(f.extrema, "extrema");
   add(f.exclusive, "exclusive");
   add(f.base_tf, "base_tf");
+  add(f.placement != Placement::entry_exit_corner, fmt::format("placement_{}", name_of(f.placement)));
+  add(f.clip_box, "clip_box");
   add(f.shading, "shading");
   add(f.early_termination, "early_termination");
   add(f.empty_cells, "empty_cells");
@@ -98,6 +113,12 @@ std::vector<std::pair<std::string, std::string>> left_out(const Features& f, con
                : "the peak form is the paper's");
   add(f.extrema, "extrema", !f.peaks ? no_peaks : "the peak form is the paper's");
   add(f.base_tf, "base_tf", "no spike is taken out of the DVR in this mode and form");
+  add(f.placement != Placement::entry_exit_corner, "placement",
+      rendering.placement == Placement::entry_exit_corner
+          ? "entry_exit_corner, the default, is the plain shader"
+          : "nothing is sampled");
+  add(f.clip_box, "clip_box",
+      rendering.clip_box ? "the whole volume lies in it" : "rendering.clip_box is not set");
   add(f.shading, "shading", "rendering.shading is none");
   add(f.early_termination, "early_termination", "rendering.early_termination is 0");
   add(f.empty_cells, "empty_cells", fmt::format("all {} voxels have a value", volume.grid.point_count()));

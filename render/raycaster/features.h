@@ -23,6 +23,8 @@ struct Features {
   bool extrema = false;     ///< surfaces entered and left within one step are looked for, too
   bool exclusive = false;   ///< in the paper's form: no DVR sample in a step with a crossing
   bool base_tf = false;     ///< DVR takes the TF without its spikes
+  Placement placement = Placement::entry_exit_corner;
+  bool clip_box = false;  ///< which takes something away from the volume
   bool shading = false;
   bool early_termination = false;
   bool empty_cells = false;  ///< the volume has voxels without a value

@@ -13,6 +13,7 @@
 #include "render/gl/program.h"
 #include "render/raycaster/table_textures.h"
 #include "render/raycaster/volume_texture.h"
+#include "render/volume/clip.h"
 
 namespace crest {
 namespace {
@@ -59,6 +60,9 @@ void set_view(GLuint program, const Scene& scene, const Camera& camera, glm::ive
   const glm::dvec3 cell_size = grid.spacing / unit;
   set(program, "image_size", glm::vec2(size));
   set(program, "box_size", glm::vec3(grid.box_size() / unit));
+  const Box rendered = rendered_box(grid, scene.rendering.clip_box);
+  set(program, "rendered_min", glm::vec3((rendered.min - grid.origin) / unit));
+  set(program, "rendered_max", glm::vec3((rendered.max - grid.origin) / unit));
   set(program, "cell_size", glm::vec3(cell_size));
   set(program, "texture_scale", glm::vec3(1.0 / (cell_size * glm::dvec3(grid.dims))));
   set(program, "texture_offset", glm::vec3(0.5 / glm::dvec3(grid.dims)));

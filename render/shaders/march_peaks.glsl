@@ -16,26 +16,28 @@ float done;
 vec4 sample_material;
 
 // Composites up to a crossing: the piece that holds the sample with the sample's material, to the end of its segment;
-// the rest, or a piece between two crossings, with the TF at its middle, on the line between its two knots.
-void composite_until_hit(Knot from, Knot hit, bool is_first, float boundary, float light_at_hit) {
+// the rest, or a piece between two crossings, with the TF at its middle, on the line between its two knots. No piece
+// goes beyond the last segment's end.
+void composite_until_hit(Knot from, Knot hit, bool is_first, float boundary, float last_end, float light_at_hit) {
   if (is_first) {
     float end = min(boundary, hit.t);
     composite(sample_material.rgb, opacity_of(sample_material.a * max(end - done, 0.0)));
     done = max(done, end);
   }
-  float size = max(hit.t - done, 0.0);
-  float place = clamp((hit.t - 0.5 * size - from.t) / max(hit.t - from.t, 1.0e-30), 0.0, 1.0);
+  float end = min(hit.t, last_end);
+  float size = max(end - done, 0.0);
+  float place = clamp((end - 0.5 * size - from.t) / max(hit.t - from.t, 1.0e-30), 0.0, 1.0);
   vec4 material = classify(mix(from.value, hit.value, place));
   composite(material.rgb * light_at_hit, opacity_of(material.a * size));
-  done = max(done, hit.t);
+  done = max(done, end);
 }
 #endif
 
-// Two samples in a row, with what is around them: the values of the sample before and the one after, and `boundary`,
-// where a's segment ends.
+// Two samples in a row, with what is around them: the values of the sample before and the one after, `boundary`, where
+// a's segment ends, and where the last segment of all does.
 struct Interval {
   Knot a, b;
-  float before, after, boundary;
+  float before, after, boundary, last_end;
   bool is_first;  // of the span: nothing is known of the field before
 };
 
@@ -97,7 +99,7 @@ bool composite_interval(Ray ray, Interval now, out float before) {
       Knot hit = Knot(solve(ray, bracket, b, peak.value), peak.value);
       float light_at_hit = LIGHT(hit.t);
 #if DVR && SPLIT
-      composite_until_hit(from, hit, found == 0, now.boundary, light_at_hit);
+      composite_until_hit(from, hit, found == 0, now.boundary, now.last_end, light_at_hit);
 #endif
       composite(peak.color_opacity.rgb * light_at_hit, peak.color_opacity.a);
       COUNT_CROSSING;
@@ -142,7 +144,8 @@ float most_between(float f0, float f1, float f2, float f3) { return max(f1, f2);
 #endif
 
 // The inner loop composites whole segments. A crossing cuts its segment; the next sample's piece then begins at the
-// cut, which is told to the inner loop as that sample's share of a step's extinction. All that outlives the inner loop
+// cut, which is told to the inner loop as that sample's share of a step's extinction. Behind the last sample the exit
+// takes what is left. All that outlives the inner loop
 // is carried by it: Mesa 22.3's llvmpipe takes other values that were computed in a loop from its last lane.
 void march(Ray ray, Sampling s, int first, int last) {
   // Take up the march at the knot before the first interval; f0..f3 are the values of four samples in a row
@@ -155,7 +158,7 @@ void march(Ray ray, Sampling s, int first, int last) {
   float share = 1.0;   // of a step that the next sample stands for
   int cleared = -1;    // the interval whose crossings were composited
 #if DVR && SPLIT
-  float cut = t;       // where the piece of the sample `cut_sample` begins, which is no whole segment
+  float cut = first > 0 ? t : s.begin;  // where the piece of the sample `cut_sample` begins, which is no whole segment
   int cut_sample = first - 1;
   vec4 material = first > 0 ? material_at(ray, t, f1) : vec4(0.0);
   material.a *= 0.5;   // the pass before ended at the sample
@@ -167,12 +170,12 @@ void march(Ray ray, Sampling s, int first, int last) {
       if (may_cross(least_between(f0, f1, f2, f3), most_between(f0, f1, f2, f3)) && i != cleared) break;
 #if DVR && SPLIT
       composite(material.rgb, opacity_of(material.a * s.dt));
-      material = material_at(ray, s.span.enter + (float(i) + 0.5) * s.dt, f2);
+      material = material_at(ray, sample_at(s, i), f2);
       material.a *= share;
       share = 1.0;
       if (i < s.n) COUNT_DVR_SAMPLE;
 #elif DVR
-      vec4 material = material_at(ray, s.span.enter + (float(i) + 0.5) * s.dt, f2);
+      vec4 material = material_at(ray, sample_at(s, i), f2);
       composite(material.rgb, opacity_of(i < s.n ? material.a * share * s.dt : 0.0));
       if (i < s.n && share > 0.0) COUNT_DVR_SAMPLE;
       share = 1.0;
@@ -187,19 +190,19 @@ void march(Ray ray, Sampling s, int first, int last) {
     if (i >= last) break;
 
     Knot a = Knot(sample_at(s, i - 1), f1), b = Knot(sample_at(s, i), f2);
-    float boundary = s.span.enter + float(i) * s.dt;
+    float boundary = boundary_at(s, i), last_end = boundary_at(s, s.n);
 #if DVR && SPLIT
     done = cut_sample == i - 1 ? cut : boundary - s.dt;
     sample_material = vec4(material.rgb, i > 0 ? material.a * s.dt / (boundary - done) : 0.0);
 #endif
-    bool crossed = composite_interval(ray, Interval(a, b, i == 0 ? f2 : f0, f3, boundary, i == 0), f1);
+    bool crossed = composite_interval(ray, Interval(a, b, i == 0 ? f2 : f0, f3, boundary, last_end, i == 0), f1);
     cleared = i;
     if (crossed) {
 #if DVR && SPLIT
       material.a = 0.0;
       cut = done;
       cut_sample = i;
-      share = (boundary + s.dt - done) / s.dt;
+      share = (min(boundary_at(s, i + 1), last_end) - done) / s.dt;
 #elif EXCLUSIVE
       share = 0.0;
 #endif
@@ -209,9 +212,10 @@ void march(Ray ray, Sampling s, int first, int last) {
 #if DVR && SPLIT
   // A pass that ends before the ray does ends at a sample; the next one begins there
   if (last <= s.n && !TERMINATED) {
-    float end = s.span.enter + float(last) * s.dt, begin = cut_sample == last - 1 ? cut : end - s.dt;
+    float end = boundary_at(s, last), begin = cut_sample == last - 1 ? cut : end - s.dt;
     float before_sample = (end - 0.5 * s.dt - begin) / (end - begin);
     composite(material.rgb, opacity_of(material.a * s.dt * before_sample));
   }
+  if (cut_sample == s.n) composite(material.rgb, opacity_of(material.a * s.dt));
 #endif
 }

@@ -2,6 +2,7 @@
 // that the picture does not change with the world's units.
 
 uniform vec3 box_size, cell_size;
+uniform vec3 rendered_min, rendered_max;  // of the part of the box that is rendered
 uniform vec2 image_size;
 // A point on the ray through the image plane's (x, y) is ray_anchor + x*ray_anchor_u + y*ray_anchor_v: a plane
 // through the volume's middle, not the eye, so that a far eye costs no precision.
@@ -24,17 +25,18 @@ Ray pixel_ray() {
   return Ray(ray_anchor + plane.x * ray_anchor_u + plane.y * ray_anchor_v, direction / size, -eye_to_anchor * size);
 }
 
-// Where the ray is inside the box and in front of the eye. A ray that runs in a face is inside.
+// Where the ray is inside the rendered box and in front of the eye. A ray that runs in a face is inside.
 bool hit_box(Ray ray, out float enter, out float exit) {
   enter = ray.eye;
   exit = 3.0e38;
+  if (any(greaterThan(rendered_min, rendered_max))) return false;
   for (int axis = 0; axis < 3; ++axis) {
     float o = ray.origin[axis], d = ray.direction[axis];
     if (d == 0.0) {
-      if (o < 0.0 || o > box_size[axis]) return false;
+      if (o < rendered_min[axis] || o > rendered_max[axis]) return false;
       continue;
     }
-    float a = -o / d, b = (box_size[axis] - o) / d;
+    float a = (rendered_min[axis] - o) / d, b = (rendered_max[axis] - o) / d;
     enter = max(enter, min(a, b));
     exit = min(exit, max(a, b));
   }

@@ -6,7 +6,7 @@
 #include "field.glsl"
 #include "compositing.glsl"
 #include "shading.glsl"
-#include "spans.glsl"
+#include "placement.glsl"
 #if DVR
 #include "transfer_function.glsl"
 #endif
@@ -16,7 +16,6 @@
 
 layout(location = 0) out vec4 out_color;
 
-uniform float step_length;  // in units of the smallest spacing
 // A pass renders these of a ray's intervals: some drivers end loops that are too long.
 uniform int first_interval, interval_count;
 #if EARLY_TERMINATION
@@ -25,24 +24,6 @@ uniform float least_residual;
 #else
 #define TERMINATED false
 #endif
-
-// A span's n equal segments are sampled at their midpoints (Steneteg et al., Listing 4, in world units).
-struct Sampling {
-  Span span;
-  int n;
-  float dt;
-};
-
-Sampling sample_span(Span span) {
-  float size = span.exit - span.enter;
-  int n = max(1, int(ceil(size / step_length)));
-  return Sampling(span, n, size / float(n));
-}
-
-// The i-th sample; before the first is the entry, after the last the exit.
-float sample_at(Sampling s, int i) {
-  return i < 0 ? s.span.enter : min(s.span.enter + (float(i) + 0.5) * s.dt, s.span.exit);
-}
 
 #if PEAKS
 // Interval i lies between samples i-1 and i: the n-1 between samples, and one at either end, so that each crossing
@@ -54,7 +35,7 @@ int interval_total(Sampling s) { return s.n; }
 
 void march(Ray ray, Sampling s, int first, int last) {
   for (int i = first; i < last; ++i) {
-    float t = s.span.enter + (float(i) + 0.5) * s.dt;
+    float t = middle_at(s, i);
     vec4 material = classify(field(at(ray, t)));
     COUNT_DVR_SAMPLE;
     composite(material.rgb * LIGHT(t), opacity_of(material.a * s.dt));
@@ -68,7 +49,7 @@ void march(Ray ray, Sampling s, int first, int last) {}
 
 // Renders the intervals [first_interval, first_interval + interval_count) of those before `index` and after.
 void march_slice(Ray ray, Span span, inout int index) {
-  Sampling s = sample_span(span);
+  Sampling s = sample_span(ray, span);
   int total = interval_total(s);
   int first = max(first_interval - index, 0), last = min(first_interval + interval_count - index, total);
   if (first < last) march(ray, s, first, last);

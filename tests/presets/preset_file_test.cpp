@@ -23,8 +23,8 @@ json sample() {
       "points": [{"value": 0, "color": [0, 0, 1], "opacity": 0},
                  {"value": 120.5, "color": [1, 0.2, 0], "opacity": 0.9, "surface": {"mode": "on", "opacity": 0.75}},
                  {"value": 120.5, "opacity": 0.25}]},
-    "rendering": {"mode": "PEAK_XOR_DVR", "peak_form": "paper", "engine": "raycaster", "step": 0.25, "max_peaks": 2,
-      "peak_bins": 64, "shading": "gradient", "early_termination": 0.001, "background": [0.1, 0.2, 0.3]},
+    "rendering": {"mode": "PEAK_XOR_DVR", "peak_form": "paper", "engine": "raycaster", "step": 0.25,
+      "placement": "eye", "max_peaks": 2, "clip_box": {"min": [-1, 0, 0.5], "max": [1, 2, 3]}, "peak_bins": 64,  "shading": "gradient", "early_termination": 0.001, "background": [0.1, 0.2, 0.3]},
     "camera": {"eye": [1, 2, 3], "target": [0, 0, 1], "up": [0, 1, 0], "fov_y_degrees": 45}})");
 }
 
@@ -57,6 +57,8 @@ TEST(ParsePreset, ReadsEveryField) {
   EXPECT_EQ(p.rendering.mode, Mode::peak_xor_dvr);
   EXPECT_EQ(p.rendering.peak_form, PeakForm::paper);
   EXPECT_EQ(p.rendering.step, 0.25);
+  EXPECT_EQ(p.rendering.placement, Placement::eye);
+  EXPECT_EQ(p.rendering.clip_box, (ClipBox{{-1, 0, 0.5}, {1, 2, 3}, ""}));
   EXPECT_EQ(p.rendering.max_peaks, 2);
   EXPECT_EQ(p.rendering.peak_bins, 64);
   EXPECT_EQ(p.rendering.shading, Shading::gradient);
@@ -182,6 +184,13 @@ TEST(ParsePreset, RefusesWrongFieldsWithTheirPath) {
       {"/rendering/mode", "\"XOR\"",
        "rendering.mode: \"XOR\" is not one of: both, PEAK_XOR_DVR, PEAK_ONLY, DVR_ONLY"},
       {"/rendering/step", "-0.5", "rendering.step: -0.5 is not at least 0.001"},
+      {"/rendering/placement", "\"corner\"",
+       "rendering.placement: \"corner\" is not one of: eye, entry, entry_exit, entry_exit_corner"},
+      {"/rendering/clip_box", R"({"min": [0, 0, 5], "max": [1, 1, 5]})",
+       "rendering.clip_box: min 5 is not less than max 5 on axis z"},
+      {"/rendering/clip_box", R"({"max": [1, 1, 5]})", "rendering.clip_box.min: is missing"},
+      {"/rendering/clip_box", R"({"min": [0, 0], "max": [1, 1, 5]})",
+       "rendering.clip_box.min: [0,0] is not an array of 3 numbers"},
       {"/rendering/max_peaks", "2.5", "rendering.max_peaks: 2.5 is not a whole number"},
       {"/rendering/max_peaks", "65", "rendering.max_peaks: 65 is not in [1, 64]"},
       {"/rendering/peak_bins", "1e200", "rendering.peak_bins: 1e+200 is not in [1, 4096]"},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <random>
 
 #include "presets/preset.h"
@@ -41,6 +42,11 @@ inline Preset random_preset(std::mt19937& random) {
   rendering.step = random() % 2 ? 0.5 : unit(random) + 0.001;
   rendering.max_peaks = 1 + int(random() % 64);
   rendering.peak_bins = random() % 2 ? 128 : 1 + int(random() % 4096);
+  rendering.placement = Placement(random() % 4);
+  if (random() % 2) {
+    const glm::dvec3 a = vector(), b = vector();
+    rendering.clip_box = ClipBox{glm::min(a, b), glm::max(a, b), random() % 2 ? "" : R"({"tilt":0.5})"};
+  }
   rendering.early_termination = unit(random) / 100;
   rendering.background = color();
   if (random() % 2) preset.camera = Camera{vector(), vector(), vector(), 0.1 + 170 * unit(random), ""};

@@ -50,6 +50,20 @@ TEST(SetField, MakesACameraAndTakesItAway) {
   EXPECT_EQ(set_field(with, "camera=null"), plain());
 }
 
+TEST(SetField, MakesAClipBoxAndTakesItAway) {
+  const Preset with = set_field(plain(), R"(rendering.clip_box={"min":[0,0.5,-1],"max":[1,2,3]})");
+  EXPECT_EQ(with.rendering.clip_box, (ClipBox{{0, 0.5, -1}, {1, 2, 3}, ""}));
+  EXPECT_EQ(set_field(with, "rendering.clip_box.min=[0,1,-1]").rendering.clip_box->min, glm::dvec3(0, 1, -1));
+  EXPECT_EQ(set_field(with, "rendering.clip_box.max[2]=9").rendering.clip_box->max, glm::dvec3(1, 2, 9));
+  EXPECT_EQ(set_field(with, "rendering.clip_box=null"), plain());
+  EXPECT_EQ(error_of("rendering.clip_box.min=[0,0,0]"),
+            "rendering.clip_box.min: there is no clip box yet; set it whole, as in "
+            R"(rendering.clip_box={"min":[0,0,0],"max":[1,1,1]})");
+  EXPECT_EQ(error_of(R"(rendering.clip_box={"min":[2,0,0],"max":[1,1,1]})"),
+            "rendering.clip_box: min 2 is not less than max 1 on axis x");
+  EXPECT_EQ(error_of(R"(rendering.clip_box={"min":[0,0,0]})"), "rendering.clip_box.max: is missing");
+}
+
 TEST(SetField, ReplacesAllPoints) {
   const Preset preset = set_field(plain(), R"(transfer_function.points=[{"value": 5, "opacity": 1}])");
   ASSERT_EQ(preset.transfer_function.points.size(), 1u);

@@ -87,5 +87,20 @@ TEST_F(Shaders, AllVariantsCompile) {
             }
 }
 
+// And so does each placement; what it has to do with the other features is all in these.
+TEST_F(Shaders, AllPlacementsCompile) {
+  const Camera camera = whole_volume_camera(scene.volume->grid);
+  for (const Placement placement : {Placement::eye, Placement::entry, Placement::entry_exit})
+    for (const Mode mode : {Mode::both, Mode::peak_only, Mode::dvr_only})
+      for (const PeakForm form : {PeakForm::split, PeakForm::paper}) {
+        Scene variant = scene;
+        variant.rendering.placement = placement;
+        variant.rendering.mode = mode;
+        variant.rendering.peak_form = form;
+        gl::RenderTarget target({2, 2}, true);
+        EXPECT_NO_THROW(raycaster.draw(variant, camera, target));
+      }
+}
+
 }  // namespace
 }  // namespace crest::testing

@@ -73,6 +73,50 @@ TEST_F(Panels, RenderingFieldsKeepTheirRanges) {
   EXPECT_EQ(rendering.mode, Mode::peak_xor_dvr);
 }
 
+TEST_F(Panels, ThePlacementIsChosen) {
+  click("tab/Rendering");
+  for (const auto& [placement, name] : names_of<Placement>()) {
+    click("##placement");
+    click("##placement/" + std::string(name));
+    EXPECT_EQ(document.preset.rendering.placement, placement);
+  }
+}
+
+TEST_F(Panels, TheClipBoxIsMadeMovedAndTakenAway) {
+  click("tab/Rendering");
+  const std::optional<ClipBox>& clip = document.preset.rendering.clip_box;
+  EXPECT_FALSE(has("##clip min x"));
+  click("##clip box");
+  ASSERT_TRUE(clip);
+  EXPECT_EQ(*clip, (ClipBox{volume.grid.box_min(), volume.grid.box_max(), ""}));
+  frame();
+
+  const auto [low, high] = state->widgets.items.at("##clip max y");
+  const float middle = (low.y + high.y) / 2;
+  drag({high.x - 8, middle}, {(low.x + high.x) / 2, middle});
+  EXPECT_NEAR(clip->max.y, 5.5, 0.2) << "half of 0 .. 11";
+  EXPECT_EQ(clip->min, volume.grid.box_min());
+  EXPECT_EQ(clip->max.x, 11);
+  ctrl('Z');
+  EXPECT_EQ(clip->max.y, 11) << "a drag is one step";
+
+  // One plane takes the other one with it, and they never meet
+  const auto [left, right] = state->widgets.items.at("##clip min z");
+  const auto [z_left, z_right] = state->widgets.items.at("##clip max z");
+  const float z_middle = (z_left.y + z_right.y) / 2;
+  drag({z_right.x - 8, z_middle}, {z_left.x - 400, z_middle});
+  EXPECT_EQ(clip->min.z, 0);
+  EXPECT_NEAR(clip->max.z, 0.011, 1e-9);
+  drag({left.x + 8, z_middle}, {right.x + 400, z_middle});
+  EXPECT_NEAR(clip->min.z, 11 - 0.011, 1e-9);
+  EXPECT_EQ(clip->max.z, 11);
+
+  click("##clip box");
+  EXPECT_FALSE(clip);
+  frame();
+  EXPECT_FALSE(has("##clip min x"));
+}
+
 TEST_F(Views, FourPicturesOfAboutTheSameSize) {
   for (const glm::ivec2 size : requests.view_pixels) {
     EXPECT_NEAR(size.x, 540, 40);
@@ -133,7 +177,13 @@ TEST_F(Hostile, NoVolume) {
   inputs.volume = nullptr;
   inputs.table = nullptr;
   inputs.table_texture = 0;
+  document.preset.rendering.clip_box = ClipBox{};
   frames(3);
+  click("tab/Rendering");
+  click("##clip box");
+  EXPECT_FALSE(document.preset.rendering.clip_box);
+  frame();
+  EXPECT_FALSE(has("##clip box"));
   drag(place_of(2), {place_of(2).x + 20, place_of(2).y});
   EXPECT_GT(tf().points[2].value, 50);
   const ImVec2 middle = center_of("view0");

@@ -1,0 +1,265 @@
+#include "render/reference/ray_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "render/reference/field_degrees.h"
+
+namespace crest::reference {
+namespace {
+
+/// Runs that stay on a value are inside its surface if they are this long, in smallest spacings: beside a
+/// tangent, rounding makes shorter ones.
+constexpr double least_flat_length = 1e-6;
+
+/// Optical depths that one panel of the quadrature may have.
+constexpr double thickest_panel = 8;
+
+/// Nodes of the two rules that are compared. The error of the finer one is about the square of their
+/// difference; like QUADPACK, its power 3/2 is taken for it.
+constexpr int coarse_nodes = 5, fine_nodes = 10;
+double estimated_error(double difference) { return difference * std::sqrt(difference); }
+constexpr double relative_tolerance = 1e-9;  ///< of a panel's own light: narrow spikes are exact too
+
+constexpr int most_halvings = 64;
+
+/// Whether the last piece of a run is better measured by the value that the field has there than by the
+/// rounded place: it is short, and the field steep. What a narrow stretch lacks before a cell's face is then
+/// what it has behind it.
+template <class Real, int N>
+bool ends_steeply(const Polynomial<Real, N>& risen, Real size, Real target, Real rounding) {
+  return size < Real(1e-3) && std::abs(risen.derivative()(size) * size) > std::abs(target) / 4 &&
+         std::abs(risen(size) - target) <= 4 * rounding;
+}
+
+}  // namespace
+
+template <class Real>
+RaySolver<Real>::RaySolver(const Levels<Real>& levels, double tolerance)
+    : levels_(levels),
+      // A ray has some hundred panels that matter, and none is better than rounding.
+      tolerance_(std::max(Real(0.01 * tolerance), std::numeric_limits<Real>::epsilon())) {}
+
+template <class Real>
+void RaySolver<Real>::begin_span() {
+  knot_known_ = false;
+  trend_ = Trend::unknown;
+}
+
+template <class Real>
+void RaySolver<Real>::end_span() {
+  if (knot_known_) note_grazing(knot_, knot_float_rounding_);
+}
+
+template <class Real>
+void RaySolver<Real>::add_clear() {
+  begin_span();
+}
+
+template <class Real>
+void RaySolver<Real>::add_constant(const Stretch<Real>& stretch, Real length) {
+  begin_span();
+  composite(stretch.color_low, -std::log1p(-stretch.opacity_low) * levels_.extinction_scale * length);
+}
+
+template <class Real>
+Value<Real> RaySolver<Real>::snapped(Value<Real> value, Real rounding) const {
+  const std::size_t above = levels_.stretch_at(value);
+  Value<Real> nearest = value;
+  for (std::size_t i = above > 0 ? above - 1 : 0; i < std::min(above + 1, levels_.levels.size()); ++i)
+    if (const Real distance = std::abs(levels_.levels[i].value - value); distance <= rounding) {
+      rounding = distance;
+      nearest = levels_.levels[i].value;
+    }
+  return nearest;
+}
+
+template <class Real>
+template <int N>
+void RaySolver<Real>::add(const FieldPiece<Real, N>& piece) {
+  const auto value_at = [&](Real place) {
+    return snapped(exact_sum(piece.offset, piece.f(place)), piece.rounding);
+  };
+  Real from = 0;
+  Value<Real> first = knot_known_ ? knot_ : value_at(0);
+  const Value<Real> last = value_at(1);
+  const auto extrema = sign_changes(piece.f.derivative());
+  for (int i = 0; i < extrema.count; ++i) {
+    const Real place = extrema.at[std::size_t(i)];
+    const Value<Real> value = value_at(place);
+    const Value<Real> next = i + 1 < extrema.count ? value_at(extrema.at[std::size_t(i + 1)]) : last;
+    if (std::abs(value - first) <= piece.rounding || std::abs(next - value) <= piece.rounding) continue;
+    add_run(piece, from, place, first, value);
+    from = place;
+    first = value;
+  }
+  add_run(piece, from, Real(1), first, last);
+  knot_ = last;
+  knot_known_ = true;
+  knot_float_rounding_ = piece.float_rounding;
+}
+
+/// The crossing at the knot between two runs, if there is one.
+template <class Real>
+void RaySolver<Real>::enter_run(Value<Real> value, Trend trend, Real float_rounding) {
+  if (trend != trend_ || trend == Trend::flat) note_grazing(value, float_rounding);
+  const bool outside_before = trend_ == Trend::rising,
+             inside_before = trend_ == Trend::falling || trend_ == Trend::flat;
+  if (trend == Trend::falling ? inside_before : outside_before) {
+    const std::size_t above = levels_.stretch_at(value);
+    if (above > 0 && levels_.levels[above - 1].value - value == 0)
+      cross(levels_.levels[above - 1], trend != Trend::falling);
+  }
+  trend_ = trend;
+}
+
+template <class Real>
+template <int N>
+void RaySolver<Real>::add_run(const FieldPiece<Real, N>& piece, Real from, Real to, Value<Real> first,
+                              Value<Real> last) {
+  const Real rise = last - first;
+  if (std::abs(rise) <= piece.rounding) {
+    const Real length = (to - from) * piece.length;
+    if (length > Real(least_flat_length)) enter_run(first, Trend::flat, piece.float_rounding);
+    composite_flat(first, length);
+    return;
+  }
+  enter_run(first, rise > 0 ? Trend::rising : Trend::falling, piece.float_rounding);
+  integrate_run(piece, from, to, first, last);
+}
+
+template <class Real>
+template <int N>
+void RaySolver<Real>::integrate_run(const FieldPiece<Real, N>& piece, Real from, Real to, Value<Real> first,
+                                    Value<Real> last) {
+  const bool rising = last - first > 0;
+  const auto lies_before = [&](Value<Real> a, Value<Real> b) { return rising ? b - a > 0 : a - b > 0; };
+  const auto& levels = levels_.levels;
+  std::size_t index = levels_.stretch_at(first);
+  if (!rising && index > 0 && levels[index - 1].value - first == 0) --index;  // the stretch below the level
+
+  Value<Real> value = first;
+  for (;;) {
+    const Stretch<Real>& stretch = levels_.stretches[index];
+    const bool has_next = rising ? index < levels.size() : index > 0;
+    const Level<Real>* next = has_next ? &levels[rising ? index : index - 1] : nullptr;
+    if (next && !lies_before(next->value, last)) next = nullptr;
+    if (!next && (stretch.is_clear || is_opaque())) return;
+
+    if (!is_opaque()) {
+      const Polynomial<Real, N> local = piece.f.shifted(from);
+      Polynomial<Real, N> risen = local;  // from here on, without the rounding of the value itself
+      risen.c[0] = 0;
+      Real size = to - from;
+      const Real target = (next ? next->value : last) - value;
+      if (next || ends_steeply(risen, size, target, piece.rounding))
+        size = solve_monotone(risen, target, Real(0), size, rising, target / risen.c[1]);
+      if (!stretch.is_clear) {
+        const Real length = size * piece.length;
+        if (stretch.is_constant) {
+          composite(stretch.color_low, -std::log1p(-stretch.opacity_low) * levels_.extinction_scale * length);
+        } else {
+          Real fraction = rising ? Real(0) : Real(1);
+          const Value<Real> level_behind = levels[rising ? index - 1 : index].value;
+          if (value - level_behind != 0) fraction = (value - levels[index - 1].value) / stretch.width;
+          composite_ramp(stretch, fraction, risen.stretched(size), length);
+        }
+      }
+      from = std::min(from + size, to);
+    }
+    if (!next) return;
+    cross(*next, rising);
+    value = next->value;
+    rising ? ++index : --index;
+  }
+}
+
+template <class Real>
+template <int N>
+void RaySolver<Real>::composite_ramp(const Stretch<Real>& stretch, Real fraction,
+                                     const Polynomial<Real, N>& risen, Real length) {
+  Polynomial<Real, N> rise = risen;
+  for (Real& c : rise.c) c /= stretch.width;
+  const Ramp<Real, N> ramp(stretch, fraction, rise, levels_.extinction_scale * length);
+  composite_panel(ramp, stretch, glm::mix(stretch.color_low, stretch.color_high, fraction), Real(0),
+                  ramp.size, 0);
+}
+
+template <class Real>
+template <int N>
+void RaySolver<Real>::composite_panel(const Ramp<Real, N>& ramp, const Stretch<Real>& stretch,
+                                      Vec3<Real> color, Real z0, Real z1, int halvings) {
+  if (is_opaque()) return;
+  const auto coarse = ramp.template integrate<coarse_nodes>(z0, z1);
+  if (!(coarse.depth > Real(thickest_panel)) || halvings == most_halvings) {
+    const auto fine = ramp.template integrate<fine_nodes>(z0, z1);
+    const Real absorbed = -std::expm1(-fine.depth);
+    const double difference =
+        double(std::max(std::abs(absorbed + std::expm1(-coarse.depth)), std::abs(fine.risen - coarse.risen)));
+    const double error = estimated_error(difference);
+    const bool is_good = error * double(transmittance_) <= double(tolerance_) &&
+                         difference <= std::sqrt(relative_tolerance) * double(absorbed);
+    if (is_good || halvings == most_halvings) {
+      const Vec3<Real> light = color * absorbed + (stretch.color_high - stretch.color_low) * fine.risen;
+      collected_.color += transmittance_ * light;
+      collected_.alpha += transmittance_ * absorbed;
+      transmittance_ *= std::exp(-fine.depth);
+      return;
+    }
+  }
+  const Real middle = (z0 + z1) / 2;
+  composite_panel(ramp, stretch, color, z0, middle, halvings + 1);
+  composite_panel(ramp, stretch, color, middle, z1, halvings + 1);
+}
+
+template <class Real>
+void RaySolver<Real>::composite_flat(Value<Real> value, Real length) {
+  if (is_opaque()) return;
+  const std::size_t index = levels_.stretch_at(value);
+  const Stretch<Real>& stretch = levels_.stretches[index];
+  Vec3<Real> color = stretch.color_low;
+  Real opacity = stretch.opacity_low;
+  if (index > 0 && levels_.levels[index - 1].value - value == 0) {
+    color = levels_.levels[index - 1].color;
+    opacity = levels_.levels[index - 1].opacity;
+  } else if (!stretch.is_constant) {
+    const Real fraction = (value - levels_.levels[index - 1].value) / stretch.width;
+    color = glm::mix(stretch.color_low, stretch.color_high, fraction);
+    opacity = stretch.opacity_low + (stretch.opacity_high - stretch.opacity_low) * fraction;
+  }
+  composite(color, -std::log1p(-opacity) * levels_.extinction_scale * length);
+}
+
+template <class Real>
+void RaySolver<Real>::composite(Vec3<Real> color, Real depth) {
+  const Real absorbed = -std::expm1(-depth);
+  collected_.color += transmittance_ * absorbed * color;
+  collected_.alpha += transmittance_ * absorbed;
+  transmittance_ *= std::exp(-depth);
+}
+
+template <class Real>
+void RaySolver<Real>::cross(const Level<Real>& level, bool rising) {
+  for (std::size_t i = level.first_surface; i < level.past_surface; ++i) {
+    const auto& surface = levels_.surfaces[rising ? i : level.past_surface - 1 - (i - level.first_surface)];
+    collected_.color += transmittance_ * surface.opacity * surface.color;
+    collected_.alpha += transmittance_ * surface.opacity;
+    transmittance_ *= 1 - surface.opacity;
+    ++collected_.crossings;
+  }
+}
+
+template <class Real>
+void RaySolver<Real>::note_grazing(Value<Real> value, Real float_rounding) {
+  collected_.grazing =
+      collected_.grazing || levels_.surface_within(value.hi - float_rounding, value.hi + float_rounding);
+}
+
+template class RaySolver<double>;
+template class RaySolver<float>;
+template void RaySolver<double>::add<cell_degree>(const FieldPiece<double, cell_degree>&);
+template void RaySolver<float>::add<cell_degree>(const FieldPiece<float, cell_degree>&);
+template void RaySolver<double>::add<formula_degree>(const FieldPiece<double, formula_degree>&);
+
+}  // namespace crest::reference
