@@ -67,6 +67,7 @@ int run_command_line(int argc, char** argv) {
   add_studio(app, chosen);
   add_render_command(app, chosen);
   add_compare_command(app, chosen);
+  add_stability_command(app, chosen);
   add_peaks_command(app, chosen);
   add_info_command(app, chosen);
   add_export_command(app, chosen);

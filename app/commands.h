@@ -11,6 +11,7 @@ using Action = std::function<void()>;
 // Each adds one command, which puts its action into `chosen`. A new command is a new file, and a line here.
 void add_render_command(CLI::App& app, Action& chosen);
 void add_compare_command(CLI::App& app, Action& chosen);
+void add_stability_command(CLI::App& app, Action& chosen);
 void add_peaks_command(CLI::App& app, Action& chosen);
 void add_info_command(CLI::App& app, Action& chosen);
 void add_export_command(CLI::App& app, Action& chosen);

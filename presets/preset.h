@@ -13,9 +13,10 @@ enum class Mode { both, peak_xor_dvr, peak_only, dvr_only };
 /// How a step that holds crossings is integrated: as published, or divided at its crossings.
 enum class PeakForm { split, paper };
 enum class Engine { raycaster, reference };
-/// Where a ray's samples lie (Steneteg et al., Listings 1 to 4): in segments of exactly one step counted from
-/// the eye or from the entry, the last one sticking out; or in equal segments from entry to exit, rounded
-/// down (none in a corner shorter than a step) or up.
+/// Where a ray's samples lie (Steneteg et al., Listings 1 to 4): one step apart, at whole steps from the eye
+/// or midpoints of whole steps from the entry, as long as they lie within, so that their segments stick out
+/// or fall short by up to half a step; or in equal segments from entry to exit, rounded down (none in a
+/// corner shorter than a step) or up.
 enum class Placement { eye, entry, entry_exit, entry_exit_corner };
 enum class Shading { none, gradient };
 

@@ -70,7 +70,8 @@ RayFrame ray_frame(const Camera& camera, const Grid& grid, glm::ivec2 image_size
   rays.w = axes.w;
   rays.u = half_width * axes.u;
   rays.v = half_height * axes.v;
-  rays.eye_to_anchor = std::max(0.0, glm::dot(middle - eye, axes.w));
+  const bool is_near = glm::length(middle - eye) <= glm::length(middle);
+  rays.eye_to_anchor = is_near ? 0 : std::max(0.0, glm::dot(middle - eye, axes.w));
   rays.anchor = eye + rays.eye_to_anchor * axes.w;
   rays.anchor_u = rays.eye_to_anchor * rays.u;
   rays.anchor_v = rays.eye_to_anchor * rays.v;

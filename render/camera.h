@@ -22,8 +22,9 @@ CameraFrame camera_frame(const Camera& camera);
 
 /// The rays of a picture, in units of the smallest spacing and from the box's first point. A pixel at (x, y)
 /// of the image plane, each in [-1, 1], has the ray through anchor + x*anchor_u + y*anchor_v along w + x*u +
-/// y*v. The anchor plane goes through the box's middle (or the eye, if that is nearer), so that a far eye
-/// costs no precision.
+/// y*v. The anchor plane goes through the box's middle, so that a far eye costs no precision; or the eye,
+/// if it is in the sphere around the box or behind it, so that rays from a face or a corner begin there
+/// exactly.
 struct RayFrame {
   glm::dvec3 anchor, anchor_u, anchor_v;
   glm::dvec3 w, u, v;

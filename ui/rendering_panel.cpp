@@ -18,11 +18,13 @@ void row(const char* text, const char* meaning) {
   ImGui::TableNextColumn();
 }
 
-/// One axis of the clip box. Its planes keep a thousandth of the volume between them.
+/// One axis of the clip box, in a row at least `width` wide. Its planes keep a thousandth of the volume
+/// between them.
 bool clip_axis(WidgetState& widgets, ClipBox& clip, int axis, ValueRange side, float width) {
   static constexpr std::array names{"##clip min x", "##clip min y", "##clip min z",
                                     "##clip max x", "##clip max y", "##clip max z"};
-  const float half = (width - ImGui::GetStyle().ItemInnerSpacing.x) / 2;
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float half = (std::clamp(ImGui::GetContentRegionAvail().x, width, 2 * width) - gap) / 2;
   const double least = side.width() / 1000;
   double& low = clip.min[axis];
   double& high = clip.max[axis];
@@ -32,7 +34,7 @@ bool clip_axis(WidgetState& widgets, ClipBox& clip, int axis, ValueRange side, f
     high = std::max(high, low + least);
     changed = true;
   }
-  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::SameLine(0, gap);
   if (slider(widgets, names[std::size_t(axis) + 3], high, side, half)) {
     high = std::max(high, side.min + least);
     low = std::min(low, high - least);

@@ -79,7 +79,7 @@ bool integer_field(WidgetState& state, const char* name, int& value, int least, 
 bool slider(WidgetState& state, const char* name, double& value, ValueRange limits, float width) {
   ImGui::SetNextItemWidth(width);
   const double before = value;
-  ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &limits.min, &limits.max, "%.6g",
+  ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &limits.min, &limits.max, "%.5g",
                       ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_AlwaysClamp);
   note_item(state, name);
   return value != before;

@@ -13,6 +13,9 @@ float float_below(double value) {
                                   : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
 }
 
+/// Opaque at any length that a step can have; infinity would make 0 * infinity of a piece of no length.
+constexpr double most_extinction = 1e30;
+
 float float_above(double value) { return -float_below(-value); }
 
 }  // namespace
@@ -34,8 +37,8 @@ TfTable build_tf_table(const TransferFunction& tf, ValueRange field, double smal
         i + 1 == entries ? table.range.max : table.range.min + table.range.width() * i / (entries - 1);
     const bool stands_for_all_below = i == 0 && field.min < table.range.min;
     const Classified material = stands_for_all_below ? evaluate_left(tf, value) : evaluate(tf, value);
-    table.entries[std::size_t(i)] =
-        glm::vec4(material.color, float(extinction(material.opacity, tf.unit_distance) * smallest_spacing));
+    const double per_spacing = extinction(material.opacity, tf.unit_distance) * smallest_spacing;
+    table.entries[std::size_t(i)] = glm::vec4(material.color, float(std::min(per_spacing, most_extinction)));
   }
   return table;
 }

@@ -92,6 +92,7 @@ struct Raycaster::State {
   gl::VertexArrayHandle vertex_array;
 
   std::shared_ptr<const Volume> volume;
+  StoredUnits units;  ///< of the volume's texture, and so of every value that a shader is given
   VolumeTexture volume_texture;
 
   std::optional<Classification> classification;
@@ -120,7 +121,8 @@ void Raycaster::State::take_volume(const Scene& scene) {
   classification.reset();
   volume.reset();
   volume_texture = {};  // the old one's room first
-  volume_texture = upload_volume(*scene.volume);
+  units = stored_units(scene.volume->statistics.range);
+  volume_texture = upload_volume(*scene.volume, units);
   volume = scene.volume;
 }
 
@@ -160,8 +162,9 @@ void Raycaster::State::bind(const Scene& scene, const Features& features, GLuint
   if (features.dvr) {
     auto& tf = features.base_tf ? base_tf : full_tf;
     if (!tf)
-      tf = upload_tf(features.base_tf ? base_transfer_function(scene.tf, classification->peaks) : scene.tf,
-                     volume->statistics.range, volume->grid.smallest_spacing());
+      tf = upload_tf(
+          units.stored(features.base_tf ? base_transfer_function(scene.tf, classification->peaks) : scene.tf),
+          units.stored(volume->statistics.range), volume->grid.smallest_spacing());
     glBindTextureUnit(tf_unit, tf->texture.id());
     set(program, "tf_texture", int(tf_unit));
     // The centres of the first and the last entry are the range's ends
@@ -169,19 +172,20 @@ void Raycaster::State::bind(const Scene& scene, const Features& features, GLuint
     set(program, "tf_min_scale_offset", glm::vec3(tf->range.min, scale, 0.5 / tf_entries));
   }
   if (features.peaks) {
-    if (!peaks) peaks = upload_peaks(classification->surfaces);
+    const std::vector<Peak> surfaces = units.stored(classification->surfaces);
+    if (!peaks) peaks = upload_peaks(surfaces);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, peaks.id());
     set(program, "max_peaks", scene.rendering.max_peaks);
-    if (!features.peak_table) set_few_peaks(program, classification->surfaces);
+    if (!features.peak_table) set_few_peaks(program, surfaces);
   }
   if (features.peak_table) {
     const PeakTable& table = classification->table;
-    if (!peak_table.runs) peak_table = upload_peak_table(table, classification->surfaces);
+    if (!peak_table.runs) peak_table = upload_peak_table(table, units.stored(classification->surfaces));
     glBindTextureUnit(peak_table_unit, peak_table.ranges.id());
     set(program, "peak_table", int(peak_table_unit));
     glBindTextureUnit(peak_runs_unit, peak_table.runs.id());
     set(program, "peak_runs", int(peak_runs_unit));
-    set(program, "bin_min_scale", glm::vec2(table.range.min, table.bin_scale()));
+    set(program, "bin_min_scale", glm::vec2(units.stored(table.range.min), table.bin_scale() / units.scale));
   }
 }
 
@@ -245,19 +249,33 @@ void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget&
   draw(scene, camera, target, Tile{{0, 0}, target.size()});
 }
 
-RenderCounts Raycaster::draw_counted(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
-  RenderCounts sum;
-  sum.pixels = double(target.size().x) * target.size().y;
-  state_->draw(scene, camera, target, Tile{{0, 0}, target.size()}, [&](int pass) {
-    for (const glm::uvec4& counts : target.read_counts()) {
-      sum.samples += counts.x;
-      sum.dvr_samples += counts.y;
-      sum.crossings += counts.z;
-      sum.crossings_left_out += counts.w & 0x7fffffffu;
-      if (pass == 0) sum.hit_pixels += counts.w >> 31;
+std::vector<PixelCounts> Raycaster::draw_counts(const Scene& scene, const Camera& camera,
+                                                gl::RenderTarget& target) {
+  std::vector<PixelCounts> sums(std::size_t(target.size().x) * std::size_t(target.size().y));
+  state_->draw(scene, camera, target, Tile{{0, 0}, target.size()}, [&](int) {
+    const auto counts = target.read_counts();
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      sums[i].samples += counts[i].x;
+      sums[i].dvr_samples += counts[i].y;
+      sums[i].crossings += counts[i].z;
+      sums[i].crossings_left_out += counts[i].w & 0x7fffffffu;
+      sums[i].hit = counts[i].w >> 31;
     }
   });
-  return sum;
+  return sums;
+}
+
+RenderCounts Raycaster::draw_counted(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
+  RenderCounts total;
+  for (const PixelCounts& pixel : draw_counts(scene, camera, target)) {
+    total.pixels += 1;
+    total.hit_pixels += pixel.hit;
+    total.samples += pixel.samples;
+    total.dvr_samples += pixel.dvr_samples;
+    total.crossings += pixel.crossings;
+    total.crossings_left_out += pixel.crossings_left_out;
+  }
+  return total;
 }
 
 void Raycaster::set_most_intervals_per_pass(int intervals) { state_->most_intervals_per_pass = intervals; }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "render/gl/render_target.h"
 #include "render/raycaster/features.h"
@@ -13,6 +15,13 @@ namespace crest {
 /// Pixels of a target to draw: rows and columns from `begin` up to but not including `end`.
 struct Tile {
   glm::ivec2 begin, end;
+};
+
+/// What one pixel cost.
+struct PixelCounts {
+  std::uint32_t samples = 0, dvr_samples = 0;  ///< as in RenderCounts
+  std::uint32_t crossings = 0, crossings_left_out = 0;
+  bool hit = false;  ///< its ray meets the box
 };
 
 /// What a picture cost, over all its pixels.
@@ -41,7 +50,10 @@ class Raycaster {
   /// The same for the whole picture.
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
 
-  /// The whole picture, with its costs counted. `target` has counts.
+  /// The whole picture, with the costs of each pixel counted over all passes. `target` has counts.
+  std::vector<PixelCounts> draw_counts(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
+
+  /// The same, summed over all pixels.
   RenderCounts draw_counted(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
 
   /// What the TF brings in this scene; it stays valid until the next draw or call with another scene.

@@ -33,7 +33,7 @@ gl::TextureHandle upload(glm::ivec3 size, GLenum internal_format, GLenum format,
 
 }  // namespace
 
-VolumeTexture upload_volume(const Volume& volume) {
+VolumeTexture upload_volume(const Volume& volume, const StoredUnits& units) {
   const glm::ivec3 dims = volume.grid.dims;
   GLint largest = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
@@ -42,9 +42,12 @@ VolumeTexture upload_volume(const Volume& volume) {
                             volume.name, dims.x, dims.y, dims.z, largest));
   VolumeTexture texture;
   if (volume.has_empty_cells()) {
-    texture.values = upload(dims, GL_R32F, GL_RED, GL_FLOAT, finite_values(volume).data(), GL_LINEAR);
+    texture.values =
+        upload(dims, GL_R32F, GL_RED, GL_FLOAT, units.stored(finite_values(volume)).data(), GL_LINEAR);
     texture.empty_cells = upload(dims - 1, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
                                  find_empty_cells(volume).data(), GL_NEAREST);
+  } else if (!units.is_identity()) {
+    texture.values = upload(dims, GL_R32F, GL_RED, GL_FLOAT, units.stored(volume.values).data(), GL_LINEAR);
   } else {
     texture.values = upload(dims, GL_R32F, GL_RED, GL_FLOAT, volume.values.data(), GL_LINEAR);
   }

@@ -47,7 +47,8 @@ struct Interval {
 bool find_extremum(Ray ray, Interval now, out Knot extremum) {
   float rise_before = now.a.value - now.before, rise_after = now.after - now.b.value;
   float place = (now.b.value - now.a.value - rise_after) / (rise_before - rise_after);
-  if (now.is_first || !(rise_before * rise_after < 0.0 && place > 0.0 && place < 1.0)) return false;
+  bool turns = rise_before < 0.0 ? rise_after > 0.0 : rise_before > 0.0 && rise_after < 0.0;  // no product: it underflows
+  if (now.is_first || !turns || !(place > 0.0 && place < 1.0)) return false;
   extremum.t = mix(now.a.t, now.b.t, place);
   extremum.value = field(at(ray, extremum.t));
   return extremum.value > max(now.a.value, now.b.value) || extremum.value < min(now.a.value, now.b.value);

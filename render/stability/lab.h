@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "render/raycaster/raycaster.h"
+#include "render/stability/row.h"
+
+namespace crest::stability {
+
+/// What a case works with: the ray caster that is tested, and the size of the pictures that do not ask for
+/// one of their own.
+struct Lab {
+  Raycaster& raycaster;
+  glm::ivec2 size{64, 64};
+
+  Image draw(const Scene& scene, const Camera& camera) const { return draw(scene, camera, size); }
+  Image draw(const Scene& scene, const Camera& camera, glm::ivec2 pixels) const;
+};
+
+/// A picture, and how many crossings each of its pixels has.
+struct CountedPicture {
+  Image image;
+  std::vector<unsigned> crossings;
+};
+CountedPicture draw_counted(const Lab& lab, const Scene& scene, const Camera& camera, glm::ivec2 pixels);
+
+/// The largest difference of a channel; infinite where either is NaN.
+double largest_difference(const Image& a, const Image& b);
+double largest_difference(const Image& a, const std::vector<glm::dvec4>& truth);
+
+/// The same, divided by the larger of truth's channel and `floor`.
+double largest_relative_difference(const Image& a, const std::vector<glm::dvec4>& truth,
+                                   double floor = 1e-30);
+
+/// Pixels that are not equal bit for bit.
+int unequal_pixels(const Image& a, const Image& b);
+
+}  // namespace crest::stability

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "render/image.h"
+
+namespace crest::stability {
+
+/// What a measurement is held against.
+enum class Truth {
+  closed_form,  ///< worked out by hand, in double
+  reference,    ///< the exact picture of render/reference
+  invariance,   ///< another picture of the ray caster that must be the same
+};
+std::string_view name_of(Truth truth);  ///< "closed form", "exact reference", "invariance"
+
+enum class Verdict { pass, float_limit, fail };
+std::string_view name_of(Verdict verdict);  ///< "pass", "limit of 32-bit float", "FAIL"
+
+/// Where 32-bit float cannot keep a bound: what was measured that it can keep, and why.
+struct FloatLimit {
+  double bound = 0;
+  std::string why;
+};
+
+/// What a row says before it is measured.
+struct Claim {
+  std::string name;      ///< the case, with its mode or other parameter
+  std::string quantity;  ///< what is compared, with its unit
+  double bound = 0;      ///< the largest that `measured` may be
+  Truth truth = Truth::closed_form;
+  std::optional<FloatLimit> limit = {};
+  bool empty = false;  ///< the true picture is empty
+};
+
+/// One row of the table.
+struct Row {
+  std::string group;
+  Claim claim;
+  double measured = 0;
+  std::string at;      ///< the parameter at which it was measured, where it is the worst of several; or empty
+  int not_finite = 0;  ///< pixels with a NaN or an Inf, in all of its pictures
+  int least_covered =
+      0;  ///< pixels with alpha > 0 in the emptiest of its pictures; the fullest, if they must be empty
+  Image picture;  ///< one of them, for the eye
+  Verdict verdict = Verdict::fail;
+};
+
+/// The largest of several measurements, and where it was met. A NaN counts as infinite.
+struct Worst {
+  double value = 0;
+  std::string at;
+  void take(double measured, std::string_view where);
+};
+
+/// The verdict: `measured` keeps the bound (or the limit), no pixel of `pictures` is NaN or Inf, and none is
+/// empty unless the truth is. At least one picture.
+Row judge(Claim claim, Worst measured, std::span<const Image> pictures);
+
+}  // namespace crest::stability

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "render/scene.h"
+
+namespace crest::stability {
+
+using VolumePtr = std::shared_ptr<const Volume>;
+
+/// n points an axis, one apart, from the origin.
+Grid cube(int n);
+
+/// The field of a formula of the world position, and one of values, x fastest.
+VolumePtr make_volume(const Grid& grid, const std::function<double(glm::dvec3)>& formula);
+VolumePtr make_volume(const Grid& grid, std::vector<float> values);
+
+ControlPoint point(double value, double opacity, glm::dvec3 color = glm::dvec3(1));
+
+/// A resolved TF of these points.
+TransferFunction make_tf(std::vector<ControlPoint> points, double unit_distance = 1);
+
+/// A TF that is clear but for narrow peaks of one opacity at these ascending values.
+TransferFunction peaks_at(const std::vector<double>& values, double opacity, double half_width = 1e-3);
+
+Scene make_scene(VolumePtr volume, TransferFunction tf, Mode mode, double step = 0.5);
+
+/// Looks along +z at the middle of the box, from so far that all rays are parallel in effect; `extent` is the
+/// picture's height in world units.
+Camera along_z(const Grid& grid, double extent);
+
+/// A closed, curved field of few levels, so that its values can be scaled and shifted without rounding: the
+/// gyroid in multiples of 1/64, on n points an axis.
+VolumePtr gyroid_in_levels(int n = 24);
+
+/// Haze with a wide peak (that keeps its body) and a spike, over the whole of `range`.
+TransferFunction haze_and_peaks(ValueRange range, double unit_distance);
+
+/// The modes that a case is tested in.
+inline constexpr Mode tested_modes[] = {Mode::dvr_only, Mode::peak_only, Mode::peak_xor_dvr, Mode::both};
+
+}  // namespace crest::stability
