@@ -63,7 +63,7 @@ class Studio {
   StudioStatePtr ui_ = make_studio_state();
   ViewRenderer views_;
   RecentFiles recent_;
-  std::optional<PeakTable> pictured_table_;
+  PeakTable pictured_table_;
   std::vector<Peak> pictured_peaks_;
   gl::TextureHandle table_texture_;
   std::string message_, performance_;

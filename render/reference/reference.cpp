@@ -27,7 +27,7 @@ using namespace reference;
 /// What the answer integrates, and what it shows at crossings.
 template <class Real>
 Levels<Real> levels_of(const Scene& scene, Answer answer) {
-  const Classification classified = classify(scene.tf, scene.volume->statistics.range, 1);
+  const Classification classified = classify(scene.tf, scene.volume->statistics.range);
   TransferFunction tf = scene.tf;
   if (answer == Answer::crossings) tf.points.clear();
   if (answer == Answer::base_and_crossings) tf = base_transfer_function(tf, classified.peaks);
