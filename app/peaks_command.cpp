@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "presets/preset_file.h"
 #include "render/classify/classification.h"
+#include "render/classify/peak_table.h"
 #include "render/volume/load.h"
 
 namespace crest {
@@ -62,11 +63,11 @@ void print_peaks(const PeaksOptions& options) {
     tf = resolve(tf, range, volume.grid.smallest_spacing());
   }
   const int bins = options.bins > 0 ? options.bins : preset.rendering.peak_bins;
-  const Classification found = classify(tf, range, bins);
+  const Classification found = classify(tf, range);
   auto peaks = nlohmann::ordered_json::array();
   for (const Peak& peak : found.peaks) peaks.push_back(peak_json(peak));
   fmt::print("{{\n  \"peaks\": {},\n", peaks.dump());
-  print_table(found.table, found.surfaces);
+  print_table(build_peak_table(found.surfaces, range, bins), found.surfaces);
   fmt::print("}}\n");
 }
 

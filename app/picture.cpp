@@ -15,6 +15,7 @@ std::vector<MeasuredPicture> measure_pictures(Raycaster& raycaster, const std::v
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     pictures[i].first_frame_ms = finished_ms([&] { raycaster.draw(scenes[i], camera, target); });
     pictures[i].image = target.read_color();
+    pictures[i].need = raycaster.need(scenes[i], camera, size, false);
   }
   for (int frame = 1; frame < frames; ++frame)
     for (std::size_t i = 0; i < scenes.size(); ++i)
@@ -36,12 +37,27 @@ nlohmann::ordered_json peaks_json(const std::vector<Peak>& surfaces) {
   return json;
 }
 
+namespace {
+
+/// What a picture needs of the device, and what was left out of it.
+void add_need(nlohmann::ordered_json& json, const Need& need, const Scene& scene,
+              const Classification& classification) {
+  json["features"] = need.list.in;
+  for (const auto& [name, why] : need.list.left_out) json["left_out"][name] = why;
+  json["notes"] = need.list.notes;
+  json["tables"] = nlohmann::ordered_json::object();
+  for (const GpuData& data : gpu_data(need, *scene.volume, classification))
+    json["tables"][data.name] = {{"size", data.size}, {"bytes", data.bytes}};
+  if (need.features.dvr) json["tables"]["transfer_function"]["error"] = need.tf_table.error;
+}
+
+}  // namespace
+
 nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Raycaster& raycaster,
                                        const Scene& scene) {
   const RenderCounts& counts = picture.counts;
   const double hit_pixels = std::max(counts.hit_pixels, 1.0);
   const auto& classification = raycaster.classification(scene);
-  const Features features = raycaster.features(scene, false);
   nlohmann::ordered_json json;
   json["mode"] = name_of(scene.rendering.mode);
   json["frame_ms"] = median(picture.frame_ms);
@@ -55,9 +71,7 @@ nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Raycaster
   json["dvr_samples_per_hit_ray"] = counts.dvr_samples / hit_pixels;
   json["hit_rays"] = counts.hit_pixels;
   json["peaks"] = peaks_json(classification.surfaces);
-  json["features"] = feature_names(features);
-  for (const auto& [name, why] : left_out(features, *scene.volume, classification, scene.rendering))
-    json["left_out"][name] = why;
+  add_need(json, picture.need, scene, classification);
   return json;
 }
 

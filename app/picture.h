@@ -14,6 +14,7 @@ struct MeasuredPicture {
   double first_frame_ms = 0;     ///< with uploads and compilation
   std::vector<double> frame_ms;  ///< the frames after it; the first one where it is the only one
   RenderCounts counts;
+  Need need;  ///< what it was made from
 };
 
 /// Renders each scene `frames` times, turn by turn, so that their times can be compared.

@@ -172,19 +172,21 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.resolved = scene.tf;
   inputs.peaks = classification.peaks;
   inputs.surfaces = classification.surfaces;
-  inputs.table = &classification.table;
+  inputs.table = &pictured_table_;
   inputs.table_texture = table_texture_.id();
   inputs.camera = camera_of(document_.preset, *loaded_.volume);
   return inputs;
 }
 
 void Studio::update_table_texture(const Classification& classification) {
-  if (pictured_table_ && *pictured_table_ == classification.table &&
+  const ValueRange range = loaded_.volume->statistics.range;
+  const int bins = document_.preset.rendering.peak_bins;
+  if (table_texture_ && pictured_table_.bins == bins && pictured_table_.range == range &&
       pictured_peaks_ == classification.surfaces)
     return;
-  table_texture_ = upload_picture(table_picture(classification.table, classification.surfaces));
-  pictured_table_ = classification.table;
   pictured_peaks_ = classification.surfaces;
+  pictured_table_ = build_peak_table(pictured_peaks_, range, bins);
+  table_texture_ = upload_picture(table_picture(pictured_table_, pictured_peaks_));
 }
 
 std::array<ViewRequest, view_count> Studio::view_requests(const StudioRequests& requests) const {

@@ -69,7 +69,7 @@ class Studio {
   ViewRenderer views_;
   BackgroundSweep sweep_;
   RecentFiles recent_;
-  std::optional<PeakTable> pictured_table_;
+  PeakTable pictured_table_;
   std::vector<Peak> pictured_peaks_;
   gl::TextureHandle table_texture_;
   std::string message_, performance_;

@@ -57,19 +57,22 @@ CameraFrame camera_frame(const Camera& camera) {
   return frame;
 }
 
-RayFrame ray_frame(const Camera& camera, const Grid& grid, glm::ivec2 image_size) {
+double half_height(const Camera& camera) {
   if (!(camera.fov_y_degrees > 0 && camera.fov_y_degrees < 180))
     throw Error(fmt::format("camera.fov_y_degrees: {} is not in (0, 180)", camera.fov_y_degrees));
+  return std::tan(glm::radians(0.5 * camera.fov_y_degrees));
+}
+
+RayFrame ray_frame(const Camera& camera, const Grid& grid, glm::ivec2 image_size) {
   const CameraFrame axes = camera_frame(camera);
   const double unit = grid.smallest_spacing();
-  const double half_height = std::tan(glm::radians(0.5 * camera.fov_y_degrees));
-  const double half_width = half_height * double(image_size.x) / double(image_size.y);
+  const double height = half_height(camera), width = height * double(image_size.x) / double(image_size.y);
   const glm::dvec3 eye = (camera.eye - grid.origin) / unit;
   const glm::dvec3 middle = 0.5 * grid.box_size() / unit;
   RayFrame rays;
   rays.w = axes.w;
-  rays.u = half_width * axes.u;
-  rays.v = half_height * axes.v;
+  rays.u = width * axes.u;
+  rays.v = height * axes.v;
   const bool is_near = glm::length(middle - eye) <= glm::length(middle);
   rays.eye_to_anchor = is_near ? 0 : std::max(0.0, glm::dot(middle - eye, axes.w));
   rays.anchor = eye + rays.eye_to_anchor * axes.w;

@@ -20,6 +20,10 @@ struct CameraFrame {
 /// Throws Error when eye and target are the same, or a number is not finite.
 CameraFrame camera_frame(const Camera& camera);
 
+/// Half the height of the image plane at distance 1. Throws Error when the field of view is not in (0, 180)
+/// degrees.
+double half_height(const Camera& camera);
+
 /// The rays of a picture, in units of the smallest spacing and from the box's first point. A pixel at (x, y)
 /// of the image plane, each in [-1, 1], has the ray through anchor + x*anchor_u + y*anchor_v along w + x*u +
 /// y*v. The anchor plane goes through the box's middle, so that a far eye costs no precision; or the eye,

@@ -46,6 +46,23 @@ int PeakTable::largest_count() const {
   return largest;
 }
 
+double smallest_gap(std::span<const Peak> peaks) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < peaks.size(); ++i)
+    gap = std::min(gap, double(float(peaks[i].value)) - double(float(peaks[i - 1].value)));
+  return gap;
+}
+
+int separating_bins(std::span<const Peak> peaks, ValueRange range, int most) {
+  double gap = std::numeric_limits<double>::infinity();  // of those that bins can separate
+  for (std::size_t i = 1; i < peaks.size(); ++i) {
+    const double here = smallest_gap(peaks.subspan(i - 1, 2));
+    if (here > 0) gap = std::min(gap, here);
+  }
+  const double bins = std::ceil(4 * range.width() / gap);
+  return bins < most ? std::max(int(bins), 1) : most;
+}
+
 PeakTable build_peak_table(std::span<const Peak> peaks, ValueRange range, int bins) {
   constexpr std::size_t most_peaks = std::numeric_limits<std::uint16_t>::max();
   if (peaks.size() > most_peaks)

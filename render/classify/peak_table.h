@@ -42,6 +42,13 @@ inline constexpr int peaks_per_cell = 4;
 /// Most bins on an axis: a table of 64 MB.
 inline constexpr int largest_bins = 4096;
 
+/// So many bins that two peaks, unless they have the same float32 value, are at least four bins apart: then
+/// few segments have a candidate that they do not cross. At most `most`.
+int separating_bins(std::span<const Peak> peaks, ValueRange range, int most);
+
+/// The least distance of two neighbouring peaks' float32 values: infinity for fewer than two peaks.
+double smallest_gap(std::span<const Peak> peaks);
+
 /// Builds the table in O(bins^2). `peaks` are the shown ones, by ascending value. Cells of equal bins count
 /// their peaks too. A peak is in the cell of every two float32 field values with its own float32 value
 /// between or at them, however the shader's arithmetic rounds. No field value lies outside `range`, so peaks

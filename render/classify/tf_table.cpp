@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 
 namespace crest {
@@ -18,19 +19,191 @@ constexpr double most_extinction = 1e30;
 
 float float_above(double value) { return -float_below(-value); }
 
+/// Where the TF is linear, within a field's range: what it is at both ends, seen from between them.
+struct Piece {
+  double from, to;
+  Classified begin, end;
+  double width() const { return to - from; }
+};
+
+/// All of them, side by side; at least one, which has no width in a constant field.
+std::vector<Piece> pieces_of(const TransferFunction& tf, ValueRange field) {
+  std::vector<Piece> pieces;
+  double from = field.min;
+  const auto add_up_to = [&](double to) {
+    pieces.push_back({from, to, evaluate_right(tf, from), evaluate_left(tf, to)});
+    from = to;
+  };
+  for (const ControlPoint& point : tf.points)
+    if (point.value > from && point.value < field.max) add_up_to(point.value);
+  if (field.max > from || pieces.empty()) add_up_to(field.max);
+  return pieces;
+}
+
+bool is_same(const Classified& a, const Classified& b) {
+  return a.opacity == b.opacity && (a.color == b.color || a.opacity == 0);
+}
+
+/// Whether the TF has a step where the i-th piece begins.
+bool is_step(const std::vector<Piece>& pieces, std::size_t i) {
+  return i > 0 && !is_same(pieces[i - 1].end, pieces[i].begin);
+}
+
+/// From the first to the last value at which the TF changes; of no width where it does nowhere, or in one
+/// step.
+ValueRange changing_range(const std::vector<Piece>& pieces) {
+  ValueRange range{pieces.front().from, pieces.front().from};
+  bool any = false;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const bool changes = !is_same(pieces[i].begin, pieces[i].end);
+    if (!changes && !is_step(pieces, i)) continue;
+    if (!any) range.min = pieces[i].from;
+    range.max = changes ? pieces[i].to : pieces[i].from;
+    any = true;
+  }
+  return range;
+}
+
+/// The range of a table: in float32, and of a width that can be divided by.
+ValueRange table_range(const std::vector<Piece>& pieces) {
+  ValueRange range = changing_range(pieces);
+  range = {float_below(range.min), float_above(range.max)};
+  if (range.width() > 0) return range;
+  const double size = std::max(std::abs(range.min), pieces.back().to - pieces.front().from);
+  range.max = float_above(range.min + std::max(1e-6 * size, double(std::numeric_limits<float>::min())));
+  return range;
+}
+
+/// Near one end of a piece: the opacity of one smallest spacing, and how it goes with the TF's value.
+struct Local {
+  double depth, opacity;  ///< depth = -ln(1 - opacity)
+  double slope;           ///< of the opacity
+  double bend;            ///< second derivative of the depth
+  glm::dvec3 color_slope;
+};
+
+/// `spacing` is the smallest one in unit distances.
+Local local_at(const Piece& piece, const Classified& end, double spacing) {
+  const double transmittance = std::max(1 - end.opacity, least_transmittance);
+  const double slope = (piece.end.opacity - piece.begin.opacity) / piece.width();
+  Local local;
+  local.depth = -spacing * std::log(transmittance);
+  local.opacity = -std::expm1(-local.depth);
+  local.slope = spacing * std::pow(transmittance, spacing - 1) * slope;
+  local.bend = spacing * slope * slope / (transmittance * transmittance);
+  local.color_slope = (piece.end.color - piece.begin.color) / piece.width();
+  return local;
+}
+
+double largest_of(glm::dvec3 v) { return std::max({std::abs(v.r), std::abs(v.g), std::abs(v.b)}); }
+
+/// Between two pieces, the change of slope of opacity and premultiplied colour.
+struct Corner {
+  double value, bend;
+};
+
+/// The most that the corners within any stretch of values add up to.
+double most_bend_within(const std::vector<Corner>& corners, double width) {
+  double most = 0, sum = 0;
+  for (std::size_t first = 0, past = 0; first < corners.size(); sum -= corners[first++].bend) {
+    if (past == first) sum = 0;  // no residue of rounding
+    for (; past < corners.size() && corners[past].value - corners[first].value <= width; ++past)
+      sum += corners[past].bend;
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+/// Between the opacities, and the premultiplied colours, of one smallest spacing of two materials.
+double difference(const Classified& a, const Classified& b, double spacing) {
+  const auto opacity = [&](const Classified& c) {
+    return -std::expm1(spacing * std::log(std::max(1 - c.opacity, least_transmittance)));
+  };
+  return std::max(std::abs(opacity(a) - opacity(b)), largest_of(opacity(a) * a.color - opacity(b) * b.color));
+}
+
+/// What decides a table's size.
+struct Demands {
+  double entry_width = std::numeric_limits<double>::infinity();  ///< the widest that the smooth parts allow
+  double curvature = 0;  ///< greatest second derivative that counts, of the opacity of one smallest spacing
+  std::vector<Corner> corners;
+  double largest_step = 0, largest_opacity = 0;
+  std::optional<ValueRange> narrowest;  ///< that is a feature
+};
+
+Demands demands_of(const std::vector<Piece>& pieces, double spacing, double longest_ray,
+                   const TfTableLimits& limits) {
+  Demands demands;
+  const auto take = [&](const Local& at) {
+    // Depths that are wrong by e(1/L + exp(1) depth) a length change no picture's opacity by more than 1.5 e
+    const double allowed = limits.smooth * (1 / longest_ray + std::exp(1.0) * at.depth);
+    const double slope = std::abs(at.slope) + at.opacity * largest_of(at.color_slope);
+    demands.entry_width =
+        std::min({demands.entry_width, std::sqrt(8 * allowed / at.bend), 512 * limits.smooth / slope});
+    demands.curvature = std::max(demands.curvature, at.bend * (1 - at.opacity));
+    demands.largest_opacity = std::max(demands.largest_opacity, at.opacity);
+  };
+  const auto take_feature = [&](ValueRange part, double change) {
+    if (change > limits.corner && (!demands.narrowest || part.width() < demands.narrowest->width()))
+      demands.narrowest = part;
+  };
+  const ValueRange changing = changing_range(pieces);
+  std::optional<Local> before;
+  for (std::size_t i = 0; i < pieces.size() && changing.width() > 0; ++i) {
+    const Piece& piece = pieces[i];
+    if (is_step(pieces, i)) {
+      const double step = difference(pieces[i - 1].end, piece.begin, spacing);
+      demands.largest_step = std::max(demands.largest_step, step);
+      take_feature({piece.from, piece.from}, step);
+    }
+    if (piece.from < changing.min || piece.to > changing.max) continue;
+    const Local begin = local_at(piece, piece.begin, spacing), end = local_at(piece, piece.end, spacing);
+    take(begin);
+    take(end);
+    take_feature({piece.from, piece.to}, difference(piece.begin, piece.end, spacing));
+    if (before)
+      demands.corners.push_back(
+          {piece.from, std::abs(begin.slope - before->slope) +
+                           begin.opacity * largest_of(begin.color_slope - before->color_slope)});
+    before = end;
+  }
+  return demands;
+}
+
 }  // namespace
 
+TfTableSize tf_table_size(const TransferFunction& tf, ValueRange field, double smallest_spacing,
+                          double longest_ray, const TfTableLimits& limits) {
+  const std::vector<Piece> pieces = pieces_of(tf, field);
+  const Demands demands = demands_of(pieces, smallest_spacing / tf.unit_distance, longest_ray, limits);
+  const double width = table_range(pieces).width();
+  double entry = std::min(width, demands.entry_width);
+  if (demands.largest_step > 0) entry = 0;
+  for (int i = 0; i < 2; ++i)  // first as if each were alone in an entry, then with those that are not
+    entry = std::min(entry, 4 * limits.corner / most_bend_within(demands.corners, i == 0 ? 0 : entry));
+
+  TfTableSize size;
+  constexpr int most = largest_tf_table;
+  size.entries = width < (most - 1) * entry ? std::max(2, 1 + int(std::ceil(width / entry))) : most;
+  entry = width / (size.entries - 1);
+  size.error = std::max({most_bend_within(demands.corners, entry) * entry / 4,
+                         demands.curvature * entry * entry / 8, demands.largest_step});
+  size.error = std::min(size.error, demands.largest_opacity);
+  if (size.entries == most && demands.narrowest && demands.narrowest->width() < entry)
+    size.blurred = demands.narrowest;
+  return size;
+}
+
+double largest_opacity(const TransferFunction& tf, ValueRange field) {
+  double largest = 0;
+  for (const Piece& piece : pieces_of(tf, field))
+    largest = std::max({largest, piece.begin.opacity, piece.end.opacity});
+  return largest;
+}
+
 TfTable build_tf_table(const TransferFunction& tf, ValueRange field, double smallest_spacing, int entries) {
-  const ValueRange span = tf.span();
   TfTable table;
-  table.range.min = float_below(std::clamp(span.min, field.min, field.max));
-  table.range.max = float_above(std::clamp(span.max, field.min, field.max));
-  if (!(table.range.width() > 0)) {
-    // A constant field, or a TF beside the data: one material on either side
-    const double size = std::max(std::abs(table.range.min), field.width());
-    table.range.max =
-        float_above(table.range.min + std::max(1e-6 * size, double(std::numeric_limits<float>::min())));
-  }
+  table.range = table_range(pieces_of(tf, field));
   table.entries.resize(std::size_t(entries));
   for (int i = 0; i < entries; ++i) {
     const double value =

@@ -1,50 +1,50 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "presets/preset.h"
-#include "render/classify/classification.h"
-#include "render/volume/volume.h"
 
 namespace crest {
 
-/// So many peaks are tested all at once, which takes less time than a look into the table.
-inline constexpr int most_peaks_without_table = 4;
-
-/// What a scene needs of the ray caster's shader: everything else is compiled out of it.
+/// What a picture needs of the ray caster; everything else is compiled out of its shader.
 struct Features {
-  bool dvr = false;         ///< DVR samples
-  bool peaks = false;       ///< crossings of the peaks
-  bool peak_table = false;  ///< candidates from the table: more peaks than are tested all at once
-  bool one_peak = false;    ///< a single surface to test
-  bool split = false;       ///< segments divided at their crossings
-  bool extrema = false;     ///< surfaces entered and left within one step are looked for, too
-  bool exclusive = false;   ///< in the paper's form: no DVR sample in a step with a crossing
-  bool base_tf = false;     ///< DVR takes the TF without its spikes
-  Placement placement = Placement::entry_exit_corner;
-  bool clip_box = false;  ///< which takes something away from the volume
+  bool dvr = false;            ///< DVR samples
+  bool peaks = false;          ///< crossings of surfaces; of a single one, unless one of these is there:
+  bool peak_list = false;      ///< up to most_listed_peaks, tested all at once
+  bool peak_table = false;     ///< candidates from the table
+  bool several_peaks = false;  ///< more than one surface within reach of a step: they are met in order
+  bool split = false;          ///< segments divided at their crossings
+  bool extrema = false;        ///< surfaces entered and left within one step are looked for, too
+  bool exclusive = false;      ///< in the paper's form: no DVR sample in a step with a crossing
+  bool base_tf = false;        ///< DVR takes the TF without its spikes
+  bool clip_box = false;       ///< which takes something away from the volume
   bool shading = false;
   bool early_termination = false;
-  bool empty_cells = false;  ///< the volume has voxels without a value
+  bool empty_cells = false;  ///< voxels without a value are in view
+  bool long_rays = false;    ///< drawn in several passes
   bool statistics = false;
+  Placement placement = Placement::entry_exit_corner;
 
   bool operator==(const Features&) const = default;
 };
 
-/// One function decides: from the volume, the TF's peaks, the settings, and whether the costs are to be
-/// counted.
-Features needed_features(const Volume& volume, const Classification& classification,
-                         const Rendering& rendering, bool statistics);
+/// So many surfaces are tested all at once, which takes less time than a look into the table.
+inline constexpr int most_listed_peaks = 4;
+
+/// A feature that is there or not: its name for people, and the shader's define, or null where the shader is
+/// the same with it and without.
+struct FeatureName {
+  bool Features::*in;
+  const char *name, *define;
+};
+/// All of them, in the order in which they are listed.
+const std::vector<FeatureName>& all_features();
 
 /// The shader's defines, as "NAME value"; the same features give the same list.
 std::vector<std::string> shader_defines(const Features& features);
 
-/// The names of what is in, and of what was left out with the reason, for people.
+/// The names of what is in, for people.
 std::vector<std::string> feature_names(const Features& features);
-std::vector<std::pair<std::string, std::string>> left_out(const Features& features, const Volume& volume,
-                                                          const Classification& classification,
-                                                          const Rendering& rendering);
 
 }  // namespace crest

@@ -18,9 +18,6 @@
 namespace crest {
 namespace {
 
-/// Some drivers (Mesa's llvmpipe) end all loops of one invocation together after 65,535 rounds, in silence.
-constexpr int most_loop_rounds = 60000;
-
 enum Unit : GLuint { volume_unit, empty_cells_unit, tf_unit, peak_table_unit, peak_runs_unit };
 
 void set(GLuint program, const char* name, float x) {
@@ -34,23 +31,6 @@ void set(GLuint program, const char* name, glm::vec3 v) {
 }
 void set(GLuint program, const char* name, int i) {
   glProgramUniform1i(program, glGetUniformLocation(program, name), i);
-}
-
-/// Intervals of the longest ray: its segments, and for peaks one more at each end of each span.
-int most_intervals(const Scene& scene) {
-  const Grid& grid = scene.volume->grid;
-  const double diagonal = glm::length(grid.box_size()) / grid.smallest_spacing();
-  const int spans = scene.volume->has_empty_cells() ? grid.dims.x + grid.dims.y + grid.dims.z : 1;
-  return int(std::min(std::ceil(diagonal / scene.rendering.step) + 2.0 * spans, 2e9));
-}
-
-int intervals_per_pass(const Features& features, const Classification& classification, const Grid& grid) {
-  const int walk = features.empty_cells ? 2 * (grid.dims.x + grid.dims.y + grid.dims.z) : 0;
-  const int candidates =
-      features.peak_table ? classification.table.largest_count() : most_peaks_without_table;
-  // A step may be two parts; a crossing in one takes a round, and two for its root
-  const int rounds = features.peaks ? 4 + 6 * candidates : 1;
-  return std::max(1, (most_loop_rounds - walk) / rounds);
 }
 
 void set_view(GLuint program, const Scene& scene, const Camera& camera, glm::ivec2 size) {
@@ -74,7 +54,6 @@ void set_view(GLuint program, const Scene& scene, const Camera& camera, glm::ive
   set(program, "ray_v", glm::vec3(rays.v));
   set(program, "eye_to_anchor", float(rays.eye_to_anchor));
   set(program, "step_length", float(scene.rendering.step));
-  set(program, "least_residual", float(scene.rendering.early_termination));
 }
 
 void set_few_peaks(GLuint program, const std::vector<Peak>& peaks) {
@@ -85,6 +64,20 @@ void set_few_peaks(GLuint program, const std::vector<Peak>& peaks) {
   set(program, "peak_count", int(peaks.size()));
 }
 
+void clear(const gl::RenderTarget& target) {
+  constexpr GLfloat transparent[4] = {};
+  constexpr GLuint none[4] = {};
+  glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, transparent);
+  if (target.has_counts()) glClearNamedFramebufferuiv(target.framebuffer(), GL_COLOR, 1, none);
+}
+
+/// What a TF is on the GPU: only what was asked for.
+struct Tables {
+  std::optional<TfTexture> full_tf, base_tf;
+  std::optional<PeakTableTextures> peak_table;
+  gl::BufferHandle peaks;
+};
+
 }  // namespace
 
 struct Raycaster::State {
@@ -93,12 +86,11 @@ struct Raycaster::State {
 
   std::shared_ptr<const Volume> volume;
   StoredUnits units;  ///< of the volume's texture, and so of every value that a shader is given
-  VolumeTexture volume_texture;
+  gl::TextureHandle values, empty_cells;
 
   std::optional<Classification> classification;
-  std::optional<TfTexture> full_tf, base_tf;
-  PeakTableTextures peak_table;
-  gl::BufferHandle peaks;
+  Tables tables;
+  Tables no_tables;  ///< of a TF that shows nothing, for what is forced in
 
   struct Variant {
     gl::ProgramHandle program;
@@ -106,35 +98,43 @@ struct Raycaster::State {
   };
   std::map<std::vector<std::string>, Variant> variants;
   std::string shader_error;
-  int most_intervals_per_pass = 0;
+  Forced forced;
 
   void take_volume(const Scene& scene);
   void take_classification(const Scene& scene);
+  Need need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics);
   const gl::ProgramHandle& program(const Features& features);
-  void bind(const Scene& scene, const Features& features, GLuint program);
+  void bind(const Scene& scene, const Need& need, GLuint program);
+  void bind_tf(const Need& need, GLuint program);
+  void bind_peaks(const Need& need, GLuint program);
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
             const std::function<void(int pass)>& after_pass);
+  void draw_passes(const Scene& scene, const Camera& camera, const gl::RenderTarget& target,
+                   const Need& needs, const std::function<void(int pass)>& after_pass);
 };
 
 void Raycaster::State::take_volume(const Scene& scene) {
   if (volume == scene.volume) return;
   classification.reset();
   volume.reset();
-  volume_texture = {};  // the old one's room first
+  values = {};  // the old one's room first
+  empty_cells = {};
   units = stored_units(scene.volume->statistics.range);
-  volume_texture = upload_volume(*scene.volume, units);
+  values = upload_volume(*scene.volume, units);
   volume = scene.volume;
 }
 
 void Raycaster::State::take_classification(const Scene& scene) {
   take_volume(scene);
-  const int bins = scene.rendering.peak_bins;
-  if (classification && classification->tf == scene.tf && classification->table.bins == bins) return;
-  classification = classify(scene.tf, scene.volume->statistics.range, bins);
-  full_tf.reset();
-  base_tf.reset();
-  peak_table = {};
-  peaks = {};
+  if (classification && classification->tf == scene.tf) return;
+  classification = classify(scene.tf, scene.volume->statistics.range);
+  tables = {};
+}
+
+Need Raycaster::State::need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics) {
+  take_classification(scene);
+  return find_need(*scene.volume, *classification, scene.rendering, camera, double(size.x) / size.y,
+                   statistics, forced);
 }
 
 const gl::ProgramHandle& Raycaster::State::program(const Features& features) {
@@ -152,41 +152,60 @@ const gl::ProgramHandle& Raycaster::State::program(const Features& features) {
   return variant.program;
 }
 
-void Raycaster::State::bind(const Scene& scene, const Features& features, GLuint program) {
-  glBindTextureUnit(volume_unit, volume_texture.values.id());
+void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program) {
+  const Features& features = need.features;
+  glBindTextureUnit(volume_unit, values.id());
   set(program, "volume", int(volume_unit));
   if (features.empty_cells) {
-    glBindTextureUnit(empty_cells_unit, volume_texture.empty_cells.id());
+    if (!empty_cells) empty_cells = upload_empty_cells(*volume);
+    glBindTextureUnit(empty_cells_unit, empty_cells.id());
     set(program, "empty_cells", int(empty_cells_unit));
   }
-  if (features.dvr) {
-    auto& tf = features.base_tf ? base_tf : full_tf;
-    if (!tf)
-      tf = upload_tf(
-          units.stored(features.base_tf ? base_transfer_function(scene.tf, classification->peaks) : scene.tf),
-          units.stored(volume->statistics.range), volume->grid.smallest_spacing());
-    glBindTextureUnit(tf_unit, tf->texture.id());
-    set(program, "tf_texture", int(tf_unit));
-    // The centres of the first and the last entry are the range's ends
-    const double scale = (tf_entries - 1.0) / tf_entries / tf->range.width();
-    set(program, "tf_min_scale_offset", glm::vec3(tf->range.min, scale, 0.5 / tf_entries));
+  if (features.dvr) bind_tf(need, program);
+  if (features.peaks) bind_peaks(need, program);
+  // What is forced in does not show
+  set(program, "max_peaks", scene.rendering.max_peaks);
+  set(program, "least_residual",
+      need.needed.early_termination ? float(scene.rendering.early_termination) : 0.0f);
+  set(program, "shading_strength", need.needed.shading ? 1.0f : 0.0f);
+}
+
+void Raycaster::State::bind_tf(const Need& need, GLuint program) {
+  const bool is_base = need.features.base_tf;
+  auto& tf = !need.needed.dvr ? no_tables.full_tf : is_base ? tables.base_tf : tables.full_tf;
+  const int entries = need.tf_table.entries;
+  if (!tf || tf->entries != entries) {
+    const TransferFunction shown = !need.needed.dvr ? TransferFunction{}
+                                   : is_base        ? classification->base
+                                                    : classification->tf;
+    tf = upload_tf(units.stored(shown), units.stored(volume->statistics.range),
+                   volume->grid.smallest_spacing(), entries);
   }
-  if (features.peaks) {
-    const std::vector<Peak> surfaces = units.stored(classification->surfaces);
-    if (!peaks) peaks = upload_peaks(surfaces);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, peaks.id());
-    set(program, "max_peaks", scene.rendering.max_peaks);
-    if (!features.peak_table) set_few_peaks(program, surfaces);
+  glBindTextureUnit(tf_unit, tf->texture.id());
+  set(program, "tf_texture", int(tf_unit));
+  // The centres of the first and the last entry are the range's ends
+  const double scale = (entries - 1.0) / entries / tf->range.width();
+  set(program, "tf_min_scale_offset", glm::vec3(tf->range.min, scale, 0.5 / entries));
+}
+
+void Raycaster::State::bind_peaks(const Need& need, GLuint program) {
+  const std::vector<Peak> none;
+  const std::vector<Peak>& surfaces = need.needed.peaks ? classification->surfaces : none;
+  Tables& held = need.needed.peaks ? tables : no_tables;
+  if (!held.peaks) held.peaks = upload_peaks(units.stored(surfaces));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, held.peaks.id());
+  if (!need.features.peak_table) return set_few_peaks(program, units.stored(surfaces));
+
+  if (!held.peak_table || held.peak_table->bins != need.peak_bins) {
+    const PeakTable table = build_peak_table(surfaces, volume->statistics.range, need.peak_bins);
+    held.peak_table = upload_peak_table(table, units.stored(surfaces));
   }
-  if (features.peak_table) {
-    const PeakTable& table = classification->table;
-    if (!peak_table.runs) peak_table = upload_peak_table(table, units.stored(classification->surfaces));
-    glBindTextureUnit(peak_table_unit, peak_table.ranges.id());
-    set(program, "peak_table", int(peak_table_unit));
-    glBindTextureUnit(peak_runs_unit, peak_table.runs.id());
-    set(program, "peak_runs", int(peak_runs_unit));
-    set(program, "bin_min_scale", glm::vec2(units.stored(table.range.min), table.bin_scale() / units.scale));
-  }
+  glBindTextureUnit(peak_table_unit, held.peak_table->ranges.id());
+  set(program, "peak_table", int(peak_table_unit));
+  glBindTextureUnit(peak_runs_unit, held.peak_table->runs.id());
+  set(program, "peak_runs", int(peak_runs_unit));
+  set(program, "bin_min_scale",
+      glm::vec2(units.stored(held.peak_table->range.min), held.peak_table->bin_scale / units.scale));
 }
 
 Raycaster::Raycaster(std::filesystem::path shader_folder) : state_(std::make_unique<State>()) {
@@ -203,42 +222,48 @@ const Classification& Raycaster::classification(const Scene& scene) {
   return *state_->classification;
 }
 
+Need Raycaster::need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics) {
+  return state_->need(scene, camera, size, statistics);
+}
+
 Features Raycaster::features(const Scene& scene, bool statistics) {
-  return needed_features(*scene.volume, classification(scene), scene.rendering, statistics);
+  return need(scene, whole_volume_camera(scene.volume->grid), {1, 1}, statistics).features;
 }
 
 void Raycaster::State::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
                             const std::function<void(int pass)>& after_pass) {
-  take_classification(scene);
-  const Features features =
-      needed_features(*scene.volume, *classification, scene.rendering, target.has_counts());
-  const GLuint id = program(features).id();
-  bind(scene, features, id);
-  set_view(id, scene, camera, target.size());
-
+  const Need needs = need(scene, camera, target.size(), target.has_counts());
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
   glViewport(0, 0, target.size().x, target.size().y);
   glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
   glEnable(GL_SCISSOR_TEST);
+  if (needs.is_empty())
+    clear(target);
+  else
+    draw_passes(scene, camera, target, needs, after_pass);
+  if (needs.is_empty() && after_pass) after_pass(0);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void Raycaster::State::draw_passes(const Scene& scene, const Camera& camera, const gl::RenderTarget& target,
+                                   const Need& needs, const std::function<void(int pass)>& after_pass) {
+  const GLuint id = program(needs.features).id();
+  bind(scene, needs, id);
+  set_view(id, scene, camera, target.size());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);  // a later pass lies behind
   glBindVertexArray(vertex_array.id());
   glUseProgram(id);
-
-  const int allowed = intervals_per_pass(features, *classification, scene.volume->grid);
-  const int per_pass = most_intervals_per_pass > 0 ? std::min(most_intervals_per_pass, allowed) : allowed;
-  const int total = most_intervals(scene);
-  for (int pass = 0; pass * std::int64_t(per_pass) < total; ++pass) {
-    set(id, "first_interval", pass * per_pass);
-    set(id, "interval_count", per_pass);
+  for (int pass = 0; pass < needs.passes(); ++pass) {
+    set(id, "first_interval", pass * needs.intervals_per_pass);
+    set(id, "interval_count", needs.intervals_per_pass);
     if (pass == 1) glEnablei(GL_BLEND, 0);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     if (after_pass) after_pass(pass);
   }
   glDisable(GL_BLEND);
-  glDisable(GL_SCISSOR_TEST);
 }
 
 void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
@@ -282,7 +307,7 @@ RenderCounts Raycaster::draw_counted(const Scene& scene, const Camera& camera, g
   return sum_of(draw_counts(scene, camera, target));
 }
 
-void Raycaster::set_most_intervals_per_pass(int intervals) { state_->most_intervals_per_pass = intervals; }
+void Raycaster::force(const Forced& forced) { state_->forced = forced; }
 
 void Raycaster::reload_shaders() {
   state_->shader_error.clear();

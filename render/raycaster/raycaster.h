@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/gl/render_target.h"
-#include "render/raycaster/features.h"
+#include "render/raycaster/need.h"
 #include "render/scene.h"
 
 namespace crest {
@@ -59,11 +59,13 @@ class Raycaster {
 
   /// What the TF brings in this scene; it stays valid until the next draw or call with another scene.
   const Classification& classification(const Scene& scene);
+  /// What a picture of this size is made from.
+  Need need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics);
+  /// Its features, where the whole volume is in view.
   Features features(const Scene& scene, bool statistics);
 
-  /// A pass renders at most so many intervals of each ray; 0 = as many as drivers allow. For tests of the
-  /// seams.
-  void set_most_intervals_per_pass(int intervals);
+  /// From now on: for tests and measurements.
+  void force(const Forced& forced);
 
   /// Compiles every variant again when it is next needed. Where that fails, the last good one is kept, and
   /// shader_error says why.

@@ -20,11 +20,11 @@ gl::TextureHandle upload_square(int side, GLenum internal_format, GLenum format,
 
 }  // namespace
 
-TfTexture upload_tf(const TransferFunction& tf, ValueRange field, double smallest_spacing) {
-  const TfTable table = build_tf_table(tf, field, smallest_spacing, tf_entries);
+TfTexture upload_tf(const TransferFunction& tf, ValueRange field, double smallest_spacing, int entries) {
+  const TfTable table = build_tf_table(tf, field, smallest_spacing, entries);
   GLuint id = 0;
   glCreateTextures(GL_TEXTURE_1D, 1, &id);
-  TfTexture result{gl::TextureHandle(id), table.range};
+  TfTexture result{gl::TextureHandle(id), table.range, entries};
   const auto count = GLsizei(table.entries.size());
   glTextureStorage1D(id, 1, GL_RGBA32F, count);
   glTextureSubImage1D(id, 0, 0, count, GL_RGBA, GL_FLOAT, table.entries.data());
@@ -47,7 +47,7 @@ PeakTableTextures upload_peak_table(const PeakTable& table, const std::vector<Pe
     else
       ranges.emplace_back(peaks[cell.first].value, peaks[std::size_t(cell.first + cell.count - 1)].value);
   }
-  PeakTableTextures textures;
+  PeakTableTextures textures{table.bins, table.range, table.bin_scale(), {}, {}};
   textures.ranges = upload_square(table.bins, GL_RG32F, GL_RG, GL_FLOAT, ranges.data());
   textures.runs = upload_square(table.bins, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, runs.data());
   return textures;
@@ -60,6 +60,7 @@ gl::BufferHandle upload_peaks(const std::vector<Peak>& peaks) {
   };
   std::vector<GpuPeak> list;
   list.reserve(peaks.size());
+  if (peaks.empty()) list.push_back({glm::vec4(0), std::numeric_limits<float>::infinity(), {}});
   for (const Peak& peak : peaks)
     list.push_back({glm::vec4(peak.color, float(peak.opacity)), float(peak.value), {}});
   GLuint id = 0;

@@ -33,25 +33,23 @@ gl::TextureHandle upload(glm::ivec3 size, GLenum internal_format, GLenum format,
 
 }  // namespace
 
-VolumeTexture upload_volume(const Volume& volume, const StoredUnits& units) {
+gl::TextureHandle upload_volume(const Volume& volume, const StoredUnits& units) {
   const glm::ivec3 dims = volume.grid.dims;
   GLint largest = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
   if (std::max({dims.x, dims.y, dims.z}) > largest)
     throw Error(fmt::format("{}: {}x{}x{} points are too many for this graphics driver: at most {} an axis",
                             volume.name, dims.x, dims.y, dims.z, largest));
-  VolumeTexture texture;
-  if (volume.has_empty_cells()) {
-    texture.values =
-        upload(dims, GL_R32F, GL_RED, GL_FLOAT, units.stored(finite_values(volume)).data(), GL_LINEAR);
-    texture.empty_cells = upload(dims - 1, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
-                                 find_empty_cells(volume).data(), GL_NEAREST);
-  } else if (!units.is_identity()) {
-    texture.values = upload(dims, GL_R32F, GL_RED, GL_FLOAT, units.stored(volume.values).data(), GL_LINEAR);
-  } else {
-    texture.values = upload(dims, GL_R32F, GL_RED, GL_FLOAT, volume.values.data(), GL_LINEAR);
-  }
-  return texture;
+  const auto upload_values = [&](const std::vector<float>& values) {
+    return upload(dims, GL_R32F, GL_RED, GL_FLOAT, values.data(), GL_LINEAR);
+  };
+  if (volume.has_empty_cells()) return upload_values(units.stored(finite_values(volume)));
+  return units.is_identity() ? upload_values(volume.values) : upload_values(units.stored(volume.values));
+}
+
+gl::TextureHandle upload_empty_cells(const Volume& volume) {
+  return upload(volume.grid.dims - 1, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
+                find_empty_cells(volume).data(), GL_NEAREST);
 }
 
 }  // namespace crest

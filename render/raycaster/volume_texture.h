@@ -6,15 +6,11 @@
 
 namespace crest {
 
-/// A volume on the GPU.
-struct VolumeTexture {
-  gl::TextureHandle values;  ///< R32F in stored units, filtered linearly (8-bit textures are filtered in 8
-                             ///< bits by some drivers)
-  gl::TextureHandle
-      empty_cells;  ///< R8UI, a cell a texel, 1 where a corner has no value; none when all have one
-};
+/// A volume on the GPU: R32F in stored units, filtered linearly (8-bit textures are filtered in 8 bits by
+/// some drivers), with stand-ins for voxels without a value. Throws Error when the driver cannot hold it.
+gl::TextureHandle upload_volume(const Volume& volume, const StoredUnits& units);
 
-/// Throws Error when the driver cannot hold it.
-VolumeTexture upload_volume(const Volume& volume, const StoredUnits& units);
+/// Where they are: R8UI, a cell a texel, 1 where a corner has no value. Throws Error as above.
+gl::TextureHandle upload_empty_cells(const Volume& volume);
 
 }  // namespace crest

@@ -81,7 +81,7 @@ template <class Real>
 Reference render_trilinear(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
                            double tolerance, const Progress& progress) {
   const Volume& volume = *scene.volume;
-  const auto surfaces = classify(scene.tf, volume.statistics.range, 1).surfaces;
+  const auto surfaces = classify(scene.tf, volume.statistics.range).surfaces;
   return render(
       scene, camera, size, levels_of<Real>(scene, answer, surfaces), tolerance, progress,
       [&](RaySolver<Real>& solver, const PixelRay<Real>& ray) { solve_trilinear(solver, volume, ray); });

@@ -55,7 +55,7 @@ bool find_extremum(Ray ray, Interval now, out Knot extremum) {
 }
 #endif
 
-// The peaks that may be crossed between two knots, in the order in which they would be met.
+// The peaks that may be crossed between two knots.
 struct Candidates {
   uint first, count;
   bool rising;
@@ -68,13 +68,22 @@ Candidates candidates_between(Knot a, Knot b) {
   return c;
 }
 
+// The k-th in the order in which they would be met; the first one from the k-th that is crossed, or their count when
+// there is none. Where no step reaches two surfaces there is one candidate.
+#if SEVERAL_PEAKS
 Peak peak_at(Candidates c, uint k) { return peaks[c.first + (c.rising ? k : c.count - 1u - k)]; }
 
-// The first candidate from the k-th that is crossed; their count when there is none.
 uint next_crossed(Candidates c, uint k, float before, Knot a, Knot b) {
   while (k < c.count && !crosses(peak_at(c, k).value, before, a.value, b.value)) ++k;
   return k;
 }
+#else
+Peak peak_at(Candidates c, uint k) { return peaks[c.first]; }
+
+uint next_crossed(Candidates c, uint k, float before, Knot a, Knot b) {
+  return k < c.count && crosses(peaks[c.first].value, before, a.value, b.value) ? k : c.count;
+}
+#endif
 
 // Composites all crossings of an interval in their order, each with what lies before it. A surface that is entered and
 // left again within one step shows only at an extremum between the samples, which makes two parts of the interval.
@@ -210,13 +219,15 @@ void march(Ray ray, Sampling s, int first, int last) {
       if (TERMINATED) i = last;
     }
   }
-#if DVR && SPLIT
+#if DVR && SPLIT && LONG_RAYS
   // A pass that ends before the ray does ends at a sample; the next one begins there
   if (last <= s.n && !TERMINATED) {
     float end = boundary_at(s, last), begin = cut_sample == last - 1 ? cut : end - s.dt;
     float before_sample = (end - 0.5 * s.dt - begin) / (end - begin);
     composite(material.rgb, opacity_of(material.a * s.dt * before_sample));
   }
+#endif
+#if DVR && SPLIT
   if (cut_sample == s.n) composite(material.rgb, opacity_of(material.a * s.dt));
 #endif
 }

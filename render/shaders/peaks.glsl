@@ -37,24 +37,35 @@ void find_candidates(float least, float most, out uint first, out uint count) {
   first = run & 0xffffu;
   count = run >> 16;
 }
-#else
+#elif PEAK_LIST
 // So few that all of them are tested: their values, and beyond them infinity.
 uniform vec4 few_peaks;
 uniform int peak_count;
 
 bool may_cross(float least, float most) {
-#if ONE_PEAK
-  return few_peaks.x >= least && few_peaks.x <= most;
-#else
   bvec4 above_least = greaterThanEqual(few_peaks, vec4(least));
   bvec4 below_most = lessThanEqual(few_peaks, vec4(most));
   return any(bvec4(ivec4(above_least) & ivec4(below_most)));
-#endif
 }
 
 void find_candidates(float least, float most, out uint first, out uint count) {
+#if SEVERAL_PEAKS
   first = 0u;
   count = uint(peak_count);
+#else
+  first = min(uint(dot(vec4(lessThan(few_peaks, vec4(least))), vec4(1.0))), uint(peak_count) - 1u);
+  count = 1u;
+#endif
+}
+#else
+// A single one.
+uniform vec4 few_peaks;
+
+bool may_cross(float least, float most) { return few_peaks.x >= least && few_peaks.x <= most; }
+
+void find_candidates(float least, float most, out uint first, out uint count) {
+  first = 0u;
+  count = 1u;
 }
 #endif
 

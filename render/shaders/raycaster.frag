@@ -16,8 +16,10 @@
 
 layout(location = 0) out vec4 out_color;
 
+#if LONG_RAYS
 // A pass renders these of a ray's intervals: some drivers end loops that are too long.
 uniform int first_interval, interval_count;
+#endif
 #if EARLY_TERMINATION
 uniform float least_residual;
 #define TERMINATED (transmittance < least_residual)
@@ -47,13 +49,18 @@ int interval_total(Sampling s) { return 0; }
 void march(Ray ray, Sampling s, int first, int last) {}
 #endif
 
-// Renders the intervals [first_interval, first_interval + interval_count) of those before `index` and after.
-void march_slice(Ray ray, Span span, inout int index) {
+// Renders a span; in passes only the intervals [first_interval, first_interval + interval_count) of those before
+// `index` and after.
+void march_span(Ray ray, Span span, inout int index) {
   Sampling s = sample_span(ray, span);
   int total = interval_total(s);
+#if LONG_RAYS
   int first = max(first_interval - index, 0), last = min(first_interval + interval_count - index, total);
   if (first < last) march(ray, s, first, last);
   index += total;
+#else
+  march(ray, s, 0, total);
+#endif
 }
 
 void main() {
@@ -65,9 +72,9 @@ void main() {
     Walk walk = begin_walk(ray, box);
     bool more = true;
     Span span;
-    while (next_span(walk, more, span)) march_slice(ray, span, index);
+    while (next_span(walk, more, span)) march_span(ray, span, index);
 #else
-    march_slice(ray, box, index);
+    march_span(ray, box, index);
 #endif
 #if STATISTICS
     counts.w |= 0x80000000u;

@@ -3,11 +3,13 @@
 #include "field.glsl"
 
 const float ambient = 0.25, diffuse = 0.75;
+uniform float shading_strength;  // 1; 0 where shading is only measured
 
 float light(Ray ray, float t) {
   vec3 normal = gradient(at(ray, t));
   float size = length(normal);
-  return size > 0.0 ? ambient + diffuse * abs(dot(normal / size, ray.direction)) : 1.0;
+  float shaded = size > 0.0 ? ambient + diffuse * abs(dot(normal / size, ray.direction)) : 1.0;
+  return mix(1.0, shaded, shading_strength);
 }
 #define LIGHT(t) light(ray, t)
 #else

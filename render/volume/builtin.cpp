@@ -170,7 +170,7 @@ Volume make_builtin(std::string_view name_and_query, std::uint64_t memory) {
       }
     }
   });
-  volume.statistics = compute_statistics(volume.values);
+  volume.statistics = compute_statistics(volume.grid, volume.values);
   return volume;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "render/volume/volume.h"
@@ -79,7 +80,9 @@ VolumeStatistics compute_statistics(const std::vector<float>& values, int bins) 
     statistics.range = {all.min, all.max};
     statistics.mean = all.mean;
     statistics.variance = all.squares / double(all.finite);
+    statistics.largest_difference = glm::dvec3(statistics.range.width());
   }
+  if (all.nan + all.inf > 0) statistics.empty_max = glm::ivec3(std::numeric_limits<int>::max());
   statistics.histogram = histogram_of(values, statistics.range, bins);
   return statistics;
 }

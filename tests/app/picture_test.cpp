@@ -77,8 +77,8 @@ TEST_F(Picture, SamplesOfASlabByHand) {
 }
 
 TEST_F(Picture, StatisticsHaveTheDocumentedKeys) {
-  const auto json =
-      json_of(render("a.png", {"--preset", "onion", "--frames", "3", "--json", "--mode", "PEAK_XOR_DVR"}));
+  const auto json = json_of(
+      render("a.png", {"--preset", "four-peaks", "--frames", "3", "--json", "--mode", "PEAK_XOR_DVR"}));
   EXPECT_EQ(json["mode"], "PEAK_XOR_DVR");
   ASSERT_EQ(json["frame_ms_all"].size(), 2u);  // and the first, which is told apart
   const double a = json["frame_ms_all"][0], b = json["frame_ms_all"][1];
@@ -93,7 +93,7 @@ TEST_F(Picture, StatisticsHaveTheDocumentedKeys) {
   }
   EXPECT_LT(json["samples_per_ray"], json["samples_per_hit_ray"]);
   EXPECT_LE(json["dvr_samples_per_ray"], json["samples_per_ray"]);
-  ASSERT_EQ(json["peaks"].size(), 8u);
+  ASSERT_EQ(json["peaks"].size(), 4u);
   EXPECT_TRUE(json["peaks"][0].contains("value") && json["peaks"][0].contains("opacity"));
   std::set<std::string> features = json["features"];
   EXPECT_TRUE(features.contains("dvr") && features.contains("peaks"));
@@ -102,6 +102,12 @@ TEST_F(Picture, StatisticsHaveTheDocumentedKeys) {
     EXPECT_GT(why.get<std::string>().size(), 5u) << feature;
   }
   EXPECT_NE(json["renderer"].get<std::string>().find("OpenGL"), std::string::npos);
+  const auto& tables = json["tables"];
+  EXPECT_EQ(tables["surfaces"]["bytes"], 4 * 32);
+  EXPECT_EQ(tables["transfer_function"]["size"],
+            std::to_string(tables["transfer_function"]["bytes"].get<int>() / 16) + " entries");
+  EXPECT_LE(tables["transfer_function"]["error"], 1e-4);
+  EXPECT_FALSE(tables.contains("peak_table"));
 }
 
 TEST_F(Picture, EachModeShowsItsOwn) {

@@ -22,7 +22,7 @@ inline std::shared_ptr<const Volume> make_volume(Grid grid,
     for (int j = 0; j < grid.dims.y; ++j)
       for (int i = 0; i < grid.dims.x; ++i)
         volume.values.push_back(float(formula(grid.origin + grid.spacing * glm::dvec3(i, j, k))));
-  volume.statistics = compute_statistics(volume.values);
+  volume.statistics = compute_statistics(volume.grid, volume.values);
   return std::make_shared<const Volume>(std::move(volume));
 }
 

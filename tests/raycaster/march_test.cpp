@@ -35,9 +35,9 @@ TEST_F(March, PassesJoinWithoutASeam) {
       const Scene scene = scene_of("gyroid?n=24", "four-peaks", mode, form);
       const Camera camera = whole_volume_camera(scene.volume->grid);
       const Image whole = render(scene, camera, {48, 48});
-      raycaster.set_most_intervals_per_pass(7);
+      raycaster.force({.features = {}, .intervals_per_pass = 7});
       const Image sliced = render(scene, camera, {48, 48});
-      raycaster.set_most_intervals_per_pass(0);
+      raycaster.force({});
       EXPECT_LT(largest_difference(whole, sliced), 2e-5) << int(mode) << int(form);
     }
 }

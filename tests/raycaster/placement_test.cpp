@@ -207,9 +207,9 @@ TEST_F(Placements, PassesJoinWithoutASeam) {
         scene.rendering.peak_form = form;
         scene.rendering.placement = placement;
         const Image whole = render(scene, camera, {32, 32});
-        raycaster.set_most_intervals_per_pass(5);
+        raycaster.force({.features = {}, .intervals_per_pass = 5});
         const Image sliced = render(scene, camera, {32, 32});
-        raycaster.set_most_intervals_per_pass(0);
+        raycaster.force({});
         double largest = 0;
         for (std::size_t i = 0; i < whole.pixels.size(); ++i)
           largest = std::max(largest, double(glm::length(whole.pixels[i] - sliced.pixels[i])));

@@ -49,7 +49,7 @@ constexpr Answer all_answers[] = {Answer::integral, Answer::crossings, Answer::i
 template <class Render, class Field>
 void expect_as_sampled(const Scene& scene, const Camera& camera, glm::ivec2 size, int n, double tolerance,
                        const Render& render, const Field& field) {
-  const Classification classified = classify(scene.tf, scene.volume->statistics.range, 1);
+  const Classification classified = classify(scene.tf, scene.volume->statistics.range);
   for (const Answer answer : all_answers) {
     TransferFunction tf = scene.tf;
     if (answer == Answer::crossings) tf.points.clear();

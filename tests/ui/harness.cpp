@@ -25,7 +25,7 @@ Volume bump_volume(int n) {
       }
   volume.values[0] = 0;
   volume.values[1] = 100;
-  volume.statistics = compute_statistics(volume.values);
+  volume.statistics = compute_statistics(volume.grid, volume.values);
   return volume;
 }
 

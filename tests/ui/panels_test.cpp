@@ -214,7 +214,7 @@ TEST_F(Hostile, StatisticsThatAreNoNumbers) {
 
 TEST_F(Hostile, AConstantVolume) {
   volume.values.assign(volume.values.size(), 7);
-  volume.statistics = compute_statistics(volume.values);
+  volume.statistics = compute_statistics(volume.grid, volume.values);
   tf().points = points_of({{7, 0}, {7, 1}});
   frames(5);
   move_to(place_of(7, 0.5));

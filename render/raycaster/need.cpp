@@ -1,0 +1,344 @@
+#include "render/raycaster/need.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "presets/names.h"
+#include "render/classify/peak_table.h"
+#include "render/view.h"
+
+namespace crest {
+namespace {
+
+/// Some drivers (Mesa's llvmpipe) end all loops of one invocation together after 65,535 rounds, in silence.
+constexpr int most_loop_rounds = 60000;
+
+/// What find_need is asked, with what follows from it at once. Each of its functions tells why a feature is
+/// not needed, or nothing where it is.
+struct Scenery {
+  const Grid& grid;
+  const VolumeStatistics& statistics;
+  const Classification& classification;
+  const Rendering& rendering;
+  const Camera& camera;
+  double aspect;
+  Box box;             ///< what is rendered, in world units
+  double longest_ray;  ///< in it, in smallest spacings
+
+  ValueRange field() const { return statistics.range; }
+  const std::vector<Peak>& surfaces() const { return classification.surfaces; }
+  bool is_split() const { return rendering.peak_form == PeakForm::split; }
+
+  std::string why_nothing() const;
+  std::string why_no_base_tf() const;
+  std::string why_no_dvr() const;
+  std::string why_no_peaks() const;
+  std::string why_no_several_peaks(int peak_bins) const;
+  std::string why_no_clip_box() const;
+  std::string why_no_early_termination(const Features& features) const;
+  std::string why_no_empty_cells() const;
+  std::string why_no_long_rays(const Need& need) const;
+
+  /// What DVR shows in this mode.
+  const TransferFunction& dvr_tf() const {
+    return why_no_base_tf().empty() ? classification.base : classification.tf;
+  }
+  /// No two samples next to each other are further apart, in smallest spacings.
+  double longest_step() const {
+    return rendering.step * (rendering.placement == Placement::entry_exit ? 2 : 1) * (1 + 1e-4);
+  }
+  int spans(const Features& features) const {  // of a ray
+    return features.empty_cells ? grid.dims.x + grid.dims.y + grid.dims.z : 1;
+  }
+};
+
+std::string Scenery::why_nothing() const {
+  if (box.is_empty()) return "the clip box leaves nothing of the volume";
+  return may_see(camera, aspect, box) ? "" : "the camera does not see the volume";
+}
+
+// The base TF holds also where no spike's own value is in the field's range: its flanks may be.
+std::string Scenery::why_no_base_tf() const {
+  if (rendering.mode != Mode::peak_xor_dvr) return "the mode is not PEAK_XOR_DVR";
+  if (!is_split()) return "the peak form is the paper's";
+  const auto& points = classification.tf.points;
+  const auto is_met = [&](const Peak& p) {
+    return p.spike && p.shown && points[p.left].value <= field().max && points[p.right].value >= field().min;
+  };
+  return std::ranges::any_of(classification.peaks, is_met) ? ""
+                                                           : "no spike in the volume's range is a surface";
+}
+
+std::string Scenery::why_no_dvr() const {
+  if (rendering.mode == Mode::peak_only) return "the mode is PEAK_ONLY";
+  if (largest_opacity(dvr_tf(), field()) > 0) return "";
+  if (largest_opacity(classification.tf, field()) > 0)
+    return "without its spikes, which are surfaces, the transfer function shows nothing";
+  return "the transfer function shows nothing in the volume's range";
+}
+
+std::string Scenery::why_no_peaks() const {
+  if (rendering.mode == Mode::dvr_only) return "the mode is DVR_ONLY";
+  if (!surfaces().empty()) return "";
+  if (classification.peaks.empty()) return "the transfer function has no peak";
+  const bool shown = std::ranges::any_of(classification.peaks, &Peak::shown);
+  return shown ? "no surface lies in the volume's range" : "no peak is shown as a surface";
+}
+
+std::string Scenery::why_no_several_peaks(int peak_bins) const {
+  if (surfaces().size() == 1) return "there is one surface";
+  const double reach = largest_change(grid, statistics, longest_step() * grid.smallest_spacing());
+  const double gap = smallest_gap(surfaces());
+  const double bin = peak_bins > 0 ? field().width() / peak_bins * (1 + 1e-3) : 0;
+  if (!(reach + 2 * bin < gap)) return "";
+  return fmt::format("values change by {:.3g} at most in a step, and surfaces are {:.3g} apart", reach, gap);
+}
+
+std::string Scenery::why_no_clip_box() const {
+  if (!rendering.clip_box) return "rendering.clip_box is not set";
+  const bool takes_away = box.min != grid.box_min() || box.max != grid.box_max();
+  return takes_away ? "" : "the whole volume lies in it";
+}
+
+// Not even a ray that is as long as any, through the densest material, with as many crossings of the most
+// opaque surface as its steps can hold, becomes that dark.
+std::string Scenery::why_no_early_termination(const Features& features) const {
+  if (!(rendering.early_termination > 0)) return "rendering.early_termination is 0";
+  double depth = 0;
+  if (features.dvr)
+    depth += extinction(largest_opacity(dvr_tf(), field()), classification.tf.unit_distance) *
+             (longest_ray + longest_step()) * grid.smallest_spacing();
+  if (features.peaks) {
+    const double opacity = std::ranges::max(surfaces(), {}, &Peak::opacity).opacity;
+    const double most = std::min(rendering.max_peaks, 2 * int(surfaces().size()));
+    depth -= std::log1p(-opacity) * most * (std::ceil(longest_ray / rendering.step) + 2) * spans(features);
+  }
+  const double least = std::exp(-depth);
+  if (!(least * (1 - 1e-3) > rendering.early_termination)) return "";
+  return fmt::format("no ray can lose more than {:.3g} of its light", 1 - least);
+}
+
+std::string Scenery::why_no_empty_cells() const {
+  if (statistics.empty_max.x < statistics.empty_min.x)
+    return fmt::format("all {} voxels have a value", grid.point_count());
+  const glm::dvec3 last = glm::min(glm::dvec3(statistics.empty_max), glm::dvec3(grid.dims - 1));
+  const Box empty{grid.origin + grid.spacing * glm::dvec3(statistics.empty_min),
+                  grid.origin + grid.spacing * last};
+  // Rays are cast in float32: a thousandth of a cell beside it counts as in it
+  const glm::dvec3 margin = 1e-3 * grid.spacing;
+  const Box met{glm::max(empty.min - margin, box.min), glm::min(empty.max + margin, box.max)};
+  if (met.is_empty()) return "the clip box leaves no cell without a value";
+  return may_see(camera, aspect, met) ? "" : "no cell without a value is in view";
+}
+
+std::string Scenery::why_no_long_rays(const Need& need) const {
+  if (need.intervals > need.intervals_per_pass) return "";
+  return fmt::format("{} intervals of the longest ray are few enough for one pass", need.intervals);
+}
+
+int intervals_of(const Scenery& s, const Features& features) {
+  const double steps = std::ceil(s.longest_ray * (1 + 1e-4) / s.rendering.step);
+  return int(std::min(steps + 2.0 * s.spans(features), 2e9));
+}
+
+int intervals_per_pass(const Scenery& s, const Features& features) {
+  const int walk = features.empty_cells ? 2 * s.spans(features) : 0;
+  const int candidates = features.peak_table      ? std::max(int(s.surfaces().size()), 1)
+                         : features.several_peaks ? most_listed_peaks
+                                                  : 1;
+  // A step may be two parts; a crossing in one takes a round, and two for its root
+  const int rounds = features.peaks ? 4 + 6 * candidates : 1;
+  return std::max(1, (most_loop_rounds - walk) / rounds);
+}
+
+/// Takes the features one after the other: each may depend on those before it.
+class Decision {
+ public:
+  Decision(const Scenery& scenery, const Forced& forced) : s_(scenery), forced_(forced) {}
+  Need make(bool statistics);
+
+ private:
+  /// The feature is in unless there is a reason against it; also if it is forced in, where that is
+  /// `harmless`.
+  void decide(bool Features::*feature, std::string why_not, bool harmless = true) {
+    need_.needed.*feature = why_not.empty();
+    need_.features.*feature = why_not.empty() || (harmless && forced_.features.*feature);
+    reasons_.emplace_back(feature, std::move(why_not));
+  }
+  void decide_peaks();
+  void decide_forms();
+  void decide_tf_table();
+  void decide_rays(bool statistics);
+  void write_list();
+
+  const Scenery& s_;
+  const Forced& forced_;
+  Need need_;
+  std::vector<std::pair<bool Features::*, std::string>> reasons_;
+};
+
+void Decision::decide_peaks() {
+  const Features& f = need_.features;
+  const std::string none = s_.why_no_peaks();
+  const auto unless_none = [&](std::string why_not) { return none.empty() ? std::move(why_not) : none; };
+  const std::size_t count = s_.surfaces().size();
+  const bool needs_table = count > most_listed_peaks;
+  decide(&Features::peaks, none);
+  decide(&Features::peak_table,
+         unless_none(needs_table ? "" : fmt::format("{} can be tested all at once", count)), f.peaks);
+  decide(&Features::peak_list,
+         unless_none(needs_table  ? "the peak table has them"
+                     : count == 1 ? "there is one surface"
+                                  : ""),
+         f.peaks && !f.peak_table);
+  if (f.peak_table) {
+    const int most = s_.rendering.peak_bins;
+    need_.features.peak_list = false;
+    need_.peak_bins = forced_.large_tables ? most : separating_bins(s_.surfaces(), s_.field(), most);
+  }
+  decide(&Features::several_peaks, unless_none(s_.why_no_several_peaks(need_.peak_bins)), f.peaks);
+}
+
+// The peak form decides what becomes of peaks and DVR, also where one of them was forced in.
+void Decision::decide_forms() {
+  const Features& f = need_.features;
+  const std::string paper = s_.is_split() ? "" : "the peak form is the paper's";
+  const std::string none = f.peaks ? "" : s_.why_no_peaks();
+  const std::string nothing_to_divide = !none.empty() ? none
+                                        : f.dvr       ? ""
+                                                      : "there is no DVR beside the peaks";
+  decide(&Features::extrema, none.empty() ? paper : none, false);
+  decide(&Features::split, nothing_to_divide.empty() ? paper : nothing_to_divide, false);
+  decide(&Features::exclusive,
+         !nothing_to_divide.empty()                ? nothing_to_divide
+         : s_.rendering.mode != Mode::peak_xor_dvr ? "the mode is not PEAK_XOR_DVR"
+         : s_.is_split()                           ? "the peak form is split"
+                                                   : "",
+         false);
+}
+
+void Decision::decide_tf_table() {
+  decide(&Features::base_tf, need_.needed.dvr ? s_.why_no_base_tf() : s_.why_no_dvr(), false);
+  const double spacing = s_.grid.smallest_spacing();
+  if (need_.needed.dvr)
+    need_.tf_table =
+        tf_table_size(s_.dvr_tf(), s_.field(), spacing, glm::length(s_.grid.box_size()) / spacing);
+  if (forced_.large_tables) need_.tf_table.entries = largest_tf_table;
+}
+
+void Decision::decide_rays(bool statistics) {
+  const bool samples = need_.features.dvr || need_.features.peaks;
+  const auto if_sampled = [&](std::string why_not) {
+    return samples ? std::move(why_not) : "nothing is sampled";
+  };
+  if (samples) need_.features.placement = need_.needed.placement = s_.rendering.placement;
+  decide(&Features::clip_box, s_.why_no_clip_box(), false);
+  decide(&Features::shading,
+         if_sampled(s_.rendering.shading == Shading::gradient ? "" : "rendering.shading is none"));
+  decide(&Features::empty_cells, if_sampled(s_.why_no_empty_cells()));
+  decide(&Features::early_termination, if_sampled(s_.why_no_early_termination(need_.needed)));
+  need_.intervals = intervals_of(s_, need_.features);
+  need_.intervals_per_pass = intervals_per_pass(s_, need_.features);
+  if (forced_.intervals_per_pass > 0)
+    need_.intervals_per_pass = std::min(need_.intervals_per_pass, forced_.intervals_per_pass);
+  decide(&Features::long_rays, if_sampled(s_.why_no_long_rays(need_)));
+  decide(&Features::statistics, statistics ? "" : "nobody asked for counts");
+}
+
+void Decision::write_list() {
+  FeatureList& list = need_.list;
+  list.in = feature_names(need_.features);
+  for (const FeatureName& feature : all_features())
+    for (const auto& [in, why_not] : reasons_)
+      if (in == feature.in && !(need_.features.*in)) list.left_out.emplace_back(feature.name, why_not);
+  if (need_.features.placement == Placement::entry_exit_corner)
+    list.left_out.emplace_back("placement", s_.rendering.placement == Placement::entry_exit_corner
+                                                ? "entry_exit_corner, the default, is the plain shader"
+                                                : "nothing is sampled");
+  if (const auto& part = need_.tf_table.blurred)
+    list.notes.push_back(
+        fmt::format("the transfer function {} at {:.6g}, {} than an entry of the largest table: DVR shows it "
+                    "blurred, or not at all",
+                    part->width() > 0 ? "has a feature" : "has a step", part->min,
+                    part->width() > 0 ? fmt::format("{:.3g} wide, narrower", part->width()) : "narrower"));
+}
+
+Need Decision::make(bool statistics) {
+  const std::string nothing = s_.why_nothing();
+  need_.visible = nothing.empty();
+  if (need_.visible) {
+    decide(&Features::dvr, s_.why_no_dvr());
+    decide_peaks();
+    decide_forms();
+    decide_tf_table();
+    decide_rays(statistics);
+  } else {
+    for (const FeatureName& feature : all_features()) reasons_.emplace_back(feature.in, nothing);
+  }
+  write_list();
+  return std::move(need_);
+}
+
+}  // namespace
+
+bool Need::is_empty() const { return !visible || !(features.dvr || features.peaks || features.statistics); }
+
+int Need::passes() const {
+  return features.long_rays ? std::max(1, (intervals - 1) / intervals_per_pass + 1) : 1;
+}
+
+double largest_change(const Grid& grid, const VolumeStatistics& statistics, double length) {
+  // Weights of 8 bits move a sample by up to 1/512 of a cell on each axis; float32 rounds
+  const glm::dvec3 d = statistics.largest_difference;
+  const double filter = 2 * (d.x + d.y + d.z) / 512;
+  const double rounding = 0x1p-20 * std::max(std::abs(statistics.range.min), std::abs(statistics.range.max));
+  return largest_gradient(grid, statistics) * length + filter + rounding;
+}
+
+Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
+               const Camera& camera, double aspect, bool statistics, const Forced& forced) {
+  const Box box = rendered_box(volume.grid, rendering.clip_box);
+  const Scenery scenery{volume.grid,
+                        volume.statistics,
+                        classification,
+                        rendering,
+                        camera,
+                        aspect,
+                        box,
+                        longest_ray(camera, box) / volume.grid.smallest_spacing()};
+  return Decision(scenery, forced).make(statistics);
+}
+
+std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Classification& classification) {
+  std::vector<GpuData> data;
+  const Features& f = need.features;
+  const auto add = [&](const char* name, std::string size, std::size_t bytes) {
+    data.push_back({name, std::move(size), bytes});
+  };
+  if (!f.dvr && !f.peaks) return data;
+  const glm::ivec3 dims = volume.grid.dims;
+  add("volume", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
+      volume.grid.point_count() * sizeof(float));
+  if (f.empty_cells) {
+    const glm::ivec3 cells = dims - 1;
+    add("empty_cells", fmt::format("{}x{}x{} cells", cells.x, cells.y, cells.z),
+        std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z));
+  }
+  if (f.dvr)
+    add("transfer_function", fmt::format("{} entries", need.tf_table.entries),
+        std::size_t(need.tf_table.entries) * 4 * sizeof(float));
+  if (f.peaks) {
+    const std::size_t count = need.needed.peaks ? classification.surfaces.size() : 1;
+    add("surfaces", fmt::format("{}", count), count * 8 * sizeof(float));
+  }
+  if (f.peak_table) {
+    const std::size_t cells = std::size_t(need.peak_bins) * std::size_t(need.peak_bins);
+    add("peak_table", fmt::format("{0}x{0} bins", need.peak_bins), cells * 3 * sizeof(float));
+  }
+  return data;
+}
+
+}  // namespace crest

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "render/classify/classification.h"
+#include "render/classify/tf_table.h"
+#include "render/raycaster/features.h"
+#include "render/volume/volume.h"
+
+namespace crest {
+
+/// For people: what is in a picture, and what was left out of it, with the reason.
+struct FeatureList {
+  std::vector<std::string> in;
+  std::vector<std::pair<std::string, std::string>> left_out;
+  std::vector<std::string> notes;  ///< what the picture cannot show as it is
+  bool operator==(const FeatureList&) const = default;
+};
+
+/// What the graphics device holds for a picture.
+struct GpuData {
+  std::string name, size;  ///< "transfer_function", "641 entries"
+  std::size_t bytes = 0;
+  bool operator==(const GpuData&) const = default;
+};
+
+/// All that a picture is made from: the shader's variant, the tables, the textures and the passes.
+struct Need {
+  bool visible = false;  ///< else the picture is empty, and nothing is drawn
+  Features features;     ///< of the shader
+  Features needed;       ///< the same, but for those that were forced in
+  FeatureList list;
+  TfTableSize tf_table;  ///< where features.dvr
+  int peak_bins = 0;     ///< of the peak table on each axis, where there is one
+  /// Intervals of the longest ray, and how many of them a pass renders: some drivers end long loops in
+  /// silence.
+  int intervals = 0, intervals_per_pass = 1;
+
+  /// Whether nothing has to be drawn.
+  bool is_empty() const;
+  int passes() const;
+};
+
+/// What is put in although nobody needs it, to be measured and tested: the picture stays the same. A feature
+/// that would change the picture is not forced in.
+struct Forced {
+  Features features;           ///< the placement is not looked at
+  bool large_tables = false;   ///< tables as large as they may be
+  int intervals_per_pass = 0;  ///< at most; 0 = as many as drivers allow
+};
+
+/// The one function that decides, from the volume's grid and statistics, the TF's peaks, the settings, the
+/// camera with its picture's width by its height, and whether costs are to be counted. It takes O(points of
+/// the TF) and some microseconds. Throws Error for a camera that has no picture.
+Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
+               const Camera& camera, double aspect, bool statistics, const Forced& forced = {});
+
+/// What a device holds for it.
+std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Classification& classification);
+
+/// The field's values at two places no further apart than `length`, in world units, differ by no more than
+/// this on any graphics device.
+double largest_change(const Grid& grid, const VolumeStatistics& statistics, double length);
+
+}  // namespace crest
