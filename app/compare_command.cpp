@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/compare.h"
+#include "app/exact_picture.h"
 #include "app/labels.h"
 #include "app/offscreen_context.h"
 #include "app/picture.h"
@@ -16,9 +17,20 @@
 namespace crest {
 namespace {
 
+/// A picture with what stands on it, and its statistics.
+struct LabelledPicture {
+  Image image;
+  std::string label;
+  nlohmann::ordered_json statistics;
+};
+
+struct Comparison {
+  std::vector<LabelledPicture> pictures;
+  std::string renderer;
+};
+
 /// The pictures in a grid of two columns, each with its label, over the background.
-Image grid_of(const std::vector<MeasuredPicture>& pictures, const std::vector<std::string>& labels,
-              glm::vec3 background) {
+Image grid_of(const std::vector<LabelledPicture>& pictures, glm::vec3 background) {
   const glm::ivec2 size = pictures.front().image.size;
   const int gap = 2, rows = int(pictures.size() + 1) / 2;
   Image grid;
@@ -26,7 +38,7 @@ Image grid_of(const std::vector<MeasuredPicture>& pictures, const std::vector<st
   grid.pixels.assign(std::size_t(grid.size.x) * std::size_t(grid.size.y), glm::vec4(0.35f, 0.35f, 0.35f, 1));
   for (int i = 0; i < int(pictures.size()); ++i) {
     Image picture = over_background(pictures[std::size_t(i)].image, background);
-    draw_label(picture, 0, 0, labels[std::size_t(i)], size.x >= 400 ? 2 : 1);
+    draw_label(picture, 0, 0, pictures[std::size_t(i)].label, size.x >= 400 ? 2 : 1);
     const glm::ivec2 corner(i % 2 * (size.x + gap), i / 2 * (size.y + gap));
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x) grid.at(corner.x + x, corner.y + y) = picture.at(x, y);
@@ -34,33 +46,52 @@ Image grid_of(const std::vector<MeasuredPicture>& pictures, const std::vector<st
   return grid;
 }
 
+Comparison compare_by_raycaster(const std::vector<Scene>& scenes, const Camera& camera,
+                                const PictureOptions& options) {
+  const OffscreenContext context(options.device);
+  Raycaster raycaster;
+  auto measured = measure_pictures(raycaster, scenes, camera, options.pixels(), options.frames, options.json);
+  Comparison comparison{{}, context.renderer()};
+  auto& pictures = comparison.pictures;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    pictures.push_back({std::move(measured[i].image), std::string(name_of(scenes[i].rendering.mode)), {}});
+    if (options.json) pictures.back().statistics = statistics_json(measured[i], raycaster, scenes[i]);
+  }
+  return comparison;
+}
+
+Comparison compare_exactly(const std::vector<Scene>& scenes, const Camera& camera,
+                           const PictureOptions& options) {
+  const auto exact = render_exact_pictures(scenes, camera, options.pixels(), options.output);
+  Comparison comparison{{}, exact_renderer};
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    comparison.pictures.push_back(
+        {exact[i].reference.image(),
+         fmt::format("{}: {}", name_of(scenes[i].rendering.mode), name_of(exact[i].answer)),
+         statistics_json(exact[i], scenes[i])});
+  return comparison;
+}
+
 }  // namespace
 
 void compare_modes(const CompareOptions& options) {
-  const glm::ivec2 size = options.picture.pixels();
+  options.picture.pixels();  // a wrong size is found before any work
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
   const Preset preset = options.scene.read_preset(*volume);
   std::vector<Scene> scenes;
-  std::vector<std::string> labels;
   for (const Mode mode : view_modes) {
     scenes.push_back(make_scene(volume, preset));
     scenes.back().rendering.mode = mode;
-    labels.emplace_back(name_of(mode));
   }
-
-  const OffscreenContext context(options.picture.device);
-  Raycaster raycaster;
-  const auto pictures = measure_pictures(raycaster, scenes, camera_of(preset, *volume), size,
-                                         options.picture.frames, options.picture.json);
-  write_image(options.picture.output, grid_of(pictures, labels, preset.rendering.background),
+  const auto compare = preset.rendering.engine == Engine::reference ? compare_exactly : compare_by_raycaster;
+  Comparison comparison = compare(scenes, camera_of(preset, *volume), options.picture);
+  write_image(options.picture.output, grid_of(comparison.pictures, preset.rendering.background),
               preset.rendering.background);
-  if (options.picture.json) {
-    nlohmann::ordered_json json;
-    for (std::size_t i = 0; i < scenes.size(); ++i)
-      json["modes"].push_back(statistics_json(pictures[i], raycaster, scenes[i]));
-    json["renderer"] = context.renderer();
-    fmt::print("{}\n", json.dump(2));
-  }
+  if (!options.picture.json) return;
+  nlohmann::ordered_json json;
+  for (auto& picture : comparison.pictures) json["modes"].push_back(std::move(picture.statistics));
+  json["renderer"] = comparison.renderer;
+  fmt::print("{}\n", json.dump(2));
 }
 
 void add_compare_command(CLI::App& app, Action& chosen) {

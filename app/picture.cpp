@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "render/measure/timing.h"
 #include "presets/names.h"
+#include "render/measure/timing.h"
 
 namespace crest {
 
@@ -29,6 +29,13 @@ std::vector<MeasuredPicture> measure_pictures(Raycaster& raycaster, const std::v
   return pictures;
 }
 
+nlohmann::ordered_json peaks_json(const std::vector<Peak>& surfaces) {
+  auto json = nlohmann::ordered_json::array();
+  for (const Peak& peak : surfaces)
+    json.push_back({{"value", peak.value}, {"opacity", peak.opacity}, {"width", peak.width}});
+  return json;
+}
+
 nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Raycaster& raycaster,
                                        const Scene& scene) {
   const RenderCounts& counts = picture.counts;
@@ -47,9 +54,7 @@ nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Raycaster
   json["samples_per_hit_ray"] = counts.samples / hit_pixels;
   json["dvr_samples_per_hit_ray"] = counts.dvr_samples / hit_pixels;
   json["hit_rays"] = counts.hit_pixels;
-  json["peaks"] = nlohmann::json::array();
-  for (const Peak& peak : classification.surfaces)
-    json["peaks"].push_back({{"value", peak.value}, {"opacity", peak.opacity}, {"width", peak.width}});
+  json["peaks"] = peaks_json(classification.surfaces);
   json["features"] = feature_names(features);
   for (const auto& [name, why] : left_out(features, *scene.volume, classification, scene.rendering))
     json["left_out"][name] = why;

@@ -26,4 +26,7 @@ std::vector<MeasuredPicture> measure_pictures(Raycaster& raycaster, const std::v
 nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Raycaster& raycaster,
                                        const Scene& scene);
 
+/// Surfaces as statistics list them.
+nlohmann::ordered_json peaks_json(const std::vector<Peak>& surfaces);
+
 }  // namespace crest

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/exact_picture.h"
 #include "app/offscreen_context.h"
 #include "app/picture.h"
 #include "app/scene_options.h"
@@ -16,22 +17,32 @@ struct RenderOptions {
   PictureOptions picture;
 };
 
+void print_statistics(nlohmann::ordered_json json, const std::string& renderer) {
+  json["renderer"] = renderer;
+  fmt::print("{}\n", json.dump(2));
+}
+
+void render_by_raycaster(const Scene& scene, const Camera& camera, const PictureOptions& options) {
+  const OffscreenContext context(options.device);
+  Raycaster raycaster;
+  const auto picture =
+      measure_pictures(raycaster, {scene}, camera, options.pixels(), options.frames, options.json)[0];
+  write_image(options.output, picture.image, scene.rendering.background);
+  if (options.json) print_statistics(statistics_json(picture, raycaster, scene), context.renderer());
+}
+
+void render_exactly(const Scene& scene, const Camera& camera, const PictureOptions& options) {
+  const auto picture = render_exact_pictures({scene}, camera, options.pixels(), options.output)[0];
+  write_image(options.output, picture.reference.image(), scene.rendering.background);
+  if (options.json) print_statistics(statistics_json(picture, scene), exact_renderer);
+}
+
 void render_picture(const RenderOptions& options) {
-  const glm::ivec2 size = options.picture.pixels();
+  options.picture.pixels();  // a wrong size is found before any work
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
   const Preset preset = options.scene.read_preset(*volume);
-  const Scene scene = make_scene(volume, preset);
-
-  const OffscreenContext context(options.picture.device);
-  Raycaster raycaster;
-  const auto picture = measure_pictures(raycaster, {scene}, camera_of(preset, *volume), size,
-                                        options.picture.frames, options.picture.json)[0];
-  write_image(options.picture.output, picture.image, preset.rendering.background);
-  if (options.picture.json) {
-    auto json = statistics_json(picture, raycaster, scene);
-    json["renderer"] = context.renderer();
-    fmt::print("{}\n", json.dump(2));
-  }
+  const auto render = preset.rendering.engine == Engine::reference ? render_exactly : render_by_raycaster;
+  render(make_scene(volume, preset), camera_of(preset, *volume), options.picture);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "app/scene_options.h"
@@ -25,6 +26,9 @@ gl::TextureHandle upload_picture(const Picture8& picture) {
   glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   return texture;
 }
+
+/// So long after the person did something, the measurement begins no frame.
+constexpr std::chrono::milliseconds quiet{300};
 
 bool is_preset_file(const std::string& source) {
   return std::filesystem::path(source).extension() == ".json";
@@ -147,6 +151,7 @@ void Studio::handle(const StudioRequests& requests) {
     views_.raycaster().reload_shaders();
     views_.invalidate();
   }
+  if (requests.measure) *requests.measure ? sweep_.switch_on() : sweep_.switch_off();
 }
 
 StudioInputs Studio::inputs(bool close_requested) {
@@ -157,6 +162,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.message_is_error = message_is_error_;
   inputs.recent = recent_.list();
   inputs.performance = performance_;
+  inputs.accuracy = &sweep_.results();
   for (int i = 0; i < view_count; ++i) inputs.views[std::size_t(i)] = views_.picture(i);
   if (!loaded_.volume) return inputs;
   const Scene scene = make_scene(loaded_.volume, document_.preset);
@@ -192,6 +198,16 @@ std::array<ViewRequest, view_count> Studio::view_requests(const StudioRequests& 
   return wanted;
 }
 
+void Studio::update_sweep(const StudioRequests& requests, bool interactive) {
+  const auto now = BackgroundSweep::Clock::now();
+  if (interactive || is_drawing() || is_loading()) sweep_.rest_until(now + quiet);
+  const auto view = std::ranges::find_if(requests.view_pixels, [](glm::ivec2 size) { return size.x > 0; });
+  if (!loaded_.volume || view == requests.view_pixels.end()) return;
+  sweep_.update({make_scene(loaded_.volume, document_.preset), camera_of(document_.preset, *loaded_.volume),
+                 sweep_size(*view)},
+                now);
+}
+
 void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   take_loaded_volume();
   StudioInputs shown;
@@ -216,6 +232,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   } catch (const std::exception& error) {
     say(error.what(), true);
   }
+  update_sweep(requests, interactive);
   if (!views_.raycaster().shader_error().empty()) say(views_.raycaster().shader_error(), true);
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/background_sweep.h"
 #include "app/recent_files.h"
 #include "app/view_renderer.h"
 #include "ui/studio.h"
@@ -30,6 +31,9 @@ class Studio {
   bool wants_to_quit() const { return quit_; }
   bool is_loading() const { return loading_.valid(); }  ///< a volume is being read
   bool is_drawing() const { return views_.is_busy(); }  ///< a view is not done
+  /// Something of the measurement in the background may come up soon, has come up.
+  bool is_measuring() const { return sweep_.is_active(); }
+  bool has_news() const { return sweep_.has_news(BackgroundSweep::Clock::now()); }
   std::string title() const;
   const Document& document() const { return document_; }
   const StudioState& ui_state() const { return *ui_; }
@@ -51,6 +55,7 @@ class Studio {
   bool has_unsaved_changes() const;
   StudioInputs inputs(bool close_requested);
   void update_table_texture(const Classification& classification);
+  void update_sweep(const StudioRequests& requests, bool interactive);
   std::array<ViewRequest, view_count> view_requests(const StudioRequests& requests) const;
 
   Document document_;
@@ -62,6 +67,7 @@ class Studio {
   std::future<Loaded> loading_;
   StudioStatePtr ui_ = make_studio_state();
   ViewRenderer views_;
+  BackgroundSweep sweep_;
   RecentFiles recent_;
   std::optional<PeakTable> pictured_table_;
   std::vector<Peak> pictured_peaks_;

@@ -50,15 +50,15 @@ void run_window(const StudioOptions& options) {
   Clock::time_point last_input = Clock::now();
   int settling = settling_frames;
   while (!studio.wants_to_quit()) {
-    // At rest the program sleeps; while a volume is read it looks up now and then
+    // At rest the program sleeps; while a volume is read, or something is measured, it looks up now and then
     const bool works = settling > 0 || studio.is_drawing();
-    window.poll_events(!works, studio.is_loading() ? 0.05 : 1.0);
+    window.poll_events(!works, studio.is_loading() ? 0.05 : studio.is_measuring() ? 0.2 : 1.0);
     const auto begin = Clock::now();
     if (window.had_input()) {
       last_input = begin;
       settling = settling_frames;
     }
-    if (settling <= 0 && !studio.is_drawing() && !studio.is_loading()) continue;
+    if (settling <= 0 && !studio.is_drawing() && !studio.is_loading() && !studio.has_news()) continue;
     const bool interactive =
         window.is_mouse_down() || begin - last_input < std::chrono::duration<double>(rest_after_s);
 

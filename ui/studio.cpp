@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/accuracy_panel.h"
 #include "ui/menu_bar.h"
 #include "ui/peak_table_panel.h"
 #include "ui/peaks_panel.h"
@@ -45,7 +46,7 @@ void splitter(const char* name, bool upright, float sign, float& share, float le
     list.AddRectFilled({at.x, at.y + middle}, {at.x + size.x, at.y + middle + 1}, color);
 }
 
-bool tabs(Document& document, StudioState& state, const StudioInputs& inputs) {
+bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   bool changed = false;
   if (!ImGui::BeginTabBar("panels")) return false;
   const bool peaks = ImGui::BeginTabItem("Peaks");
@@ -65,11 +66,17 @@ bool tabs(Document& document, StudioState& state, const StudioInputs& inputs) {
     changed |= rendering_panel(document, state, inputs);
     ImGui::EndTabItem();
   }
+  const bool accuracy = ImGui::BeginTabItem("Accuracy");
+  note_item(state.widgets, "tab/Accuracy");
+  if (accuracy) {
+    changed |= accuracy_panel(document, state, inputs, requests);
+    ImGui::EndTabItem();
+  }
   ImGui::EndTabBar();
   return changed;
 }
 
-bool side(Document& document, StudioState& state, const StudioInputs& inputs) {
+bool side(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   const float height = ImGui::GetContentRegionAvail().y;
   float& share = state.layout.editor_share;
   share = std::clamp(share, 0.25F, 0.80F);
@@ -78,7 +85,7 @@ bool side(Document& document, StudioState& state, const StudioInputs& inputs) {
   ImGui::EndChild();
   splitter("##editor height", false, 1, share, height);
   ImGui::BeginChild("tabs");
-  changed |= tabs(document, state, inputs);
+  changed |= tabs(document, state, inputs, requests);
   ImGui::EndChild();
   return changed;
 }
@@ -100,7 +107,7 @@ bool main_area(Document& document, StudioState& state, const StudioInputs& input
   splitter("##side width", true, -1, share, width);
   ImGui::SameLine(0, scaled(4));
   ImGui::BeginChild("side", {0, 0}, false, fixed_child);
-  changed |= side(document, state, inputs);
+  changed |= side(document, state, inputs, requests);
   ImGui::EndChild();
   ImGui::EndChild();
   return changed;

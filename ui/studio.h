@@ -13,6 +13,7 @@
 #include "render/classify/peak_table.h"
 #include "render/classify/peaks.h"
 #include "render/volume/volume.h"
+#include "ui/accuracy_results.h"
 #include "ui/document.h"
 
 namespace crest {
@@ -40,6 +41,7 @@ struct StudioInputs {
   const PeakTable* table = nullptr;  ///< of the shown peaks; null while there is no volume
   std::uintptr_t table_texture = 0;  ///< table_picture() of it, as an ImTextureID
   std::array<ViewPicture, view_count> views;
+  const AccuracyResults* accuracy = nullptr;  ///< null while nothing was ever measured
   Camera camera;        ///< in force: the preset's, or the one that shows the whole volume
   std::string message;  ///< the last news or error, one line
   bool message_is_error = false;
@@ -59,6 +61,7 @@ struct StudioRequests {
   std::array<glm::ivec2, view_count>
       view_pixels{};              ///< size to draw each view at; (0, 0) = it is not visible
   bool document_changed = false;  ///< by this frame: an edit, undo or redo
+  std::optional<bool> measure;    ///< switches the measurement in the background on or off
   bool quit = false;              ///< the person was asked about unsaved changes
   bool reload_shaders = false;
 };

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
+#include "render/measure/image_error.h"
+#include "render/measure/methods.h"
 #include "ui/editor_state.h"
 #include "ui/file_dialog.h"
 #include "ui/history.h"
@@ -15,6 +19,17 @@ struct ViewsState {
   bool outline = true;
 };
 
+struct AccuracyState {
+  std::optional<Answer> answer;  ///< against which errors are shown; without one, that of the preset's mode
+  TargetError target = default_target();
+  std::string_view hovered_method;  ///< in the list, in the last frame: a Method::id
+  struct Present {
+    Rendering rendering;
+    const Method* method = nullptr;  ///< null where none of methods() renders so
+  };
+  std::optional<Present> present;  ///< the document's, when it was last looked up
+};
+
 /// Shares of the window: the rest goes to the views, and to the panels below the editor.
 struct LayoutState {
   float side_share = 0.35F;    ///< of the width, for the panels
@@ -26,6 +41,7 @@ struct StudioState {
   History history;
   EditorState editor;
   ViewsState views;
+  AccuracyState accuracy;
   LayoutState layout;
   FileDialog file_dialog;
   bool show_help = false;

@@ -16,6 +16,7 @@ inline constexpr ImU32 text = IM_COL32(216, 220, 226, 255);
 inline constexpr ImU32 dim = IM_COL32(142, 149, 160, 255);
 inline constexpr ImU32 faint = IM_COL32(96, 103, 114, 255);
 inline constexpr ImU32 accent = IM_COL32(94, 166, 232, 255);
+inline constexpr ImU32 good = IM_COL32(124, 214, 140, 255);
 inline constexpr ImU32 error = IM_COL32(240, 110, 96, 255);
 }  // namespace palette
 

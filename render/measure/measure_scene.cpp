@@ -64,15 +64,13 @@ Measurer::Picture take_picture(SceneRenderer& renderer, const Rendering& renderi
   const Scene& scene = renderer.scene_with(rendering);
   renderer.raycaster->draw(scene, renderer.camera, renderer.target);
   picture.image = renderer.target.read_color();
-  const auto counts = renderer.raycaster->draw_counts(scene, renderer.camera, renderer.counted);
-  const double per_ray = 1 / double(counts.size());
-  for (const PixelCounts& pixel : counts) {
-    picture.samples_per_ray += per_ray * pixel.samples;
-    picture.dvr_samples_per_ray += per_ray * pixel.dvr_samples;
-    picture.crossings_per_ray += per_ray * pixel.crossings;
-    picture.crossings_left_out_per_ray += per_ray * pixel.crossings_left_out;
-    picture.crossings.push_back(pixel.crossings);
-  }
+  const auto pixels = renderer.raycaster->draw_counts(scene, renderer.camera, renderer.counted);
+  const RenderCounts counts = sum_of(pixels);
+  picture.samples_per_ray = counts.samples / counts.pixels;
+  picture.dvr_samples_per_ray = counts.dvr_samples / counts.pixels;
+  picture.crossings_per_ray = counts.crossings / counts.pixels;
+  picture.crossings_left_out_per_ray = counts.crossings_left_out / counts.pixels;
+  for (const PixelCounts& pixel : pixels) picture.crossings.push_back(pixel.crossings);
   return picture;
 }
 

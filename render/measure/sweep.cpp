@@ -150,7 +150,7 @@ std::vector<PlannedPoint> Sweep::next_group(const std::vector<PlannedPoint>& pla
       break;
     const double frames = *point.expected_ms > long_frame_ms ? 3 : settings_.frames;
     const double cost = 1e-3 * *point.expected_ms * (frames + other_draws);
-    if (seconds + cost > seconds_left()) continue;
+    if (seconds + cost > seconds_left() || *point.expected_ms > settings_.longest_frame_ms) continue;
     if (!group.empty() && seconds + cost > settings_.group_seconds) break;
     group.push_back(point);
     seconds += cost;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -44,6 +45,8 @@ struct SweepSettings {
   TargetError target = default_target();
   int frames = 5;            ///< timed of each point: more of short ones, 3 where one takes over a second
   double group_seconds = 4;  ///< points are timed turn by turn in groups of about this long
+  /// A point whose frame is expected to take longer is left out.
+  double longest_frame_ms = std::numeric_limits<double>::infinity();
 };
 
 /// What a sweep is doing: "exact answer 'integral'", "dvr at step 0.25", and how far it is with that, in

@@ -20,8 +20,7 @@ std::string_view name_of(Answer answer);
 
 /// What the error of such a picture is measured against: DVR_ONLY the first, PEAK_ONLY the second, both the
 /// third, PEAK_XOR_DVR in the split form the fourth, and in the paper's form the last two. The first of the
-/// list is that of
-/// `--engine reference`.
+/// list is the one that `--engine reference` renders.
 std::vector<Answer> answers_of(const Rendering& rendering);
 
 }  // namespace crest

@@ -5,9 +5,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
-#include "render/reference/field_degrees.h"
-#include "render/reference/levels.h"
-#include "render/reference/polynomial.h"
+#include "render/reference/value.h"
 
 namespace crest::reference {
 
@@ -27,8 +25,10 @@ struct CellVisit {
   Real length = 0;
 };
 
-/// Calls visit(CellVisit) -> whether to go on, for each cell that the ray is in for a positive length
-/// (Amanatides and Woo 1987). A ray that runs in a face is in the upper cell.
+/// Calls visit(CellVisit) -> whether to go on, for each cell that the ray is in for a positive length, in
+/// order: the next face on each axis is at t = (face - origin) / direction, and the nearest of the three is
+/// crossed (Amanatides and Woo, A fast voxel traversal algorithm for ray tracing, 1987). A ray that runs in a
+/// face is in the upper cell.
 template <class Real, class Visit>
 void walk_cells(glm::ivec3 cells, const CellRay<Real>& ray, Visit&& visit) {
   CellVisit<Real> at;
@@ -66,30 +66,6 @@ void walk_cells(glm::ivec3 cells, const CellRay<Real>& ray, Visit&& visit) {
     entered = axis;
     find_next_face(axis);
   }
-}
-
-/// The trilinear field along the ray's part in a cell, less the first corner's value; `corner` x fastest. One
-/// axis at a time: so a face of equal values gives exactly that value.
-template <class Real>
-Polynomial<Real, cell_degree> field_along(const float (&corner)[8], const CellVisit<Real>& at) {
-  Real c[8];
-  for (int i = 0; i < 8; ++i) c[i] = Real(corner[i]) - Real(corner[0]);
-  Polynomial<Real, 1> line[4];
-  for (int i = 0; i < 4; ++i) {
-    const Real step = c[i + 4] - c[i];
-    line[i].c = {c[i] + step * at.entry.z, step * at.extent.z};
-  }
-  Polynomial<Real, 2> square[2];
-  for (int i = 0; i < 2; ++i) {
-    const auto &a = line[i].c, &b = line[i + 2].c;
-    const Real step = b[0] - a[0], tilt = b[1] - a[1];
-    square[i].c = {a[0] + step * at.entry.y, a[1] + tilt * at.entry.y + step * at.extent.y,
-                   tilt * at.extent.y};
-  }
-  const auto &a = square[0].c, &b = square[1].c;
-  const Real step = b[0] - a[0], tilt = b[1] - a[1], bend = b[2] - a[2];
-  return {{a[0] + step * at.entry.x, a[1] + tilt * at.entry.x + step * at.extent.x,
-           a[2] + bend * at.entry.x + tilt * at.extent.x, bend * at.extent.x}};
 }
 
 }  // namespace crest::reference

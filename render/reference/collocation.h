@@ -7,8 +7,11 @@
 
 namespace crest::reference {
 
-/// Gauss-Legendre quadrature on [0, 1] that also gives the running integral at its own nodes, so that the
-/// integral of c(x) rho(x) exp(-integral of rho up to x) takes one value of rho a node.
+/// Gauss-Legendre quadrature on [0, 1] that also gives the running integral at its own nodes x_i:
+///
+///   integral from 0 to 1 of g = sum_j weight_j g(x_j),   from 0 to x_i = sum_j up_to_node_ij g(x_j),
+///
+/// so that the integral of rho(x) exp(-integral of rho up to x) takes one value of rho a node.
 template <class Real, int N>
 struct Collocation {
   std::array<Real, N> node, weight;
@@ -16,8 +19,10 @@ struct Collocation {
       up_to_node;  ///< [i][j]: weight of the value at j in the integral up to i
 };
 
-/// The integrals of the nodes' Lagrange polynomials, by their Legendre series: integral from -1 to x of P_k
-/// is (P_{k+1}(x) - P_{k-1}(x)) / (2k + 1).
+/// up_to_node_ij is the integral of the Lagrange polynomial of node j. On [-1, 1], by its Legendre series,
+///
+///   w_j / 2 * sum over k of (2k + 1) P_k(x_j) * integral from -1 to x_i of P_k,   where the last is
+///   (P_{k+1}(x_i) - P_{k-1}(x_i)) / (2k + 1), and x_i + 1 for k = 0.
 template <class Real, int N>
 Collocation<Real, N> make_collocation() {
   using Rule = boost::math::quadrature::gauss<double, N>;

@@ -84,6 +84,14 @@ bool Levels<Real>::visible_within(Real low, Real high) const {
 }
 
 template <class Real>
+const Stretch<Real>* Levels<Real>::constant_within(Real low, Real high) const {
+  const std::size_t index = stretch_at({high, 0});
+  const bool begins_at_low = index > 0 && levels[index - 1].value - Value<Real>{low, 0} == 0;
+  if (!stretches[index].is_constant || index != stretch_at({low, 0}) || begins_at_low) return nullptr;
+  return &stretches[index];
+}
+
+template <class Real>
 Levels<Real> make_levels(TransferFunction tf, std::span<const Peak> surfaces, double unit_length) {
   Levels<Real> result;
   result.extinction_scale = Real(std::min(unit_length / tf.unit_distance, 1e30));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
@@ -9,9 +8,6 @@
 #include "render/reference/value.h"
 
 namespace crest::reference {
-
-template <class Real>
-using Vec3 = glm::vec<3, Real>;
 
 /// The TF between two successive levels: linear in colour and in opacity, which does not pass the cap.
 template <class Real>
@@ -40,7 +36,11 @@ struct Level {
 };
 
 /// A TF cut at its control points, at the opacity cap, and at the surfaces' values: what a ray meets as the
-/// field rises or falls along it. Stretch i lies below level i, the last one above all.
+/// field rises or falls along it.
+///
+///   stretch 0 | level 0 | stretch 1 | level 1 | ... | level n-1 | stretch n        by ascending value
+///
+/// Opacity is linear in a stretch, and min(a, 1 - 2^-24) is, too, since the cap a = 1 - 2^-24 is a level.
 template <class Real>
 struct Levels {
   std::vector<Level<Real>> levels;
@@ -54,6 +54,8 @@ struct Levels {
   bool surface_within(Real low, Real high) const;
   /// Whether something in [low, high] absorbs.
   bool visible_within(Real low, Real high) const;
+  /// The constant stretch that holds all of [low, high], if there is one.
+  const Stretch<Real>* constant_within(Real low, Real high) const;
 
   /// For stretches and levels in turn (2i, 2i + 1): the next one that is not clear.
   std::vector<std::size_t> next_visible;

@@ -1,7 +1,9 @@
 #include "render/reference/pixel_ray.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace crest::reference {
 namespace {

@@ -9,7 +9,7 @@
 
 namespace crest::reference {
 
-/// What a pixel's ray is made from.
+/// What the rays of a picture's pixels are made from.
 struct PixelRays {
   RayFrame frame;
   glm::ivec2 size;
@@ -27,7 +27,8 @@ struct PixelRay {
   bool grazes_box = false;              ///< whether it meets the box is within that rounding
 };
 
-/// The ray through the centre of a pixel; row 0 is at the top.
+/// The ray through the centre of a pixel (row 0 at the top), x(t) = origin + t direction, cut to the rendered
+/// box and to t >= that of the eye. It is counted from the anchor plane (camera.h), not from the eye.
 template <class Real>
 PixelRay<Real> pixel_ray(const PixelRays& rays, int x, int y);
 

@@ -7,7 +7,7 @@
 
 namespace crest::reference {
 
-/// c[0] + c[1] x + ... + c[N] x^N, used on [0, 1].
+/// p(x) = c[0] + c[1] x + ... + c[N] x^N, used on [0, 1].
 template <class Real, int N>
 struct Polynomial {
   std::array<Real, N + 1> c{};
@@ -78,7 +78,8 @@ Real solve_monotone(const Polynomial<Real, N>& p, Real target, Real low, Real hi
   return x;
 }
 
-/// Whether Bernstein's coefficients on [0, 1] have one sign, so that p has no root there.
+/// Whether Bernstein's coefficients on [0, 1], b_i = sum over k <= i of c_k (i over k) / (N over k), have one
+/// sign, so that p has no root there.
 template <class Real, int N>
 bool has_one_sign(const Polynomial<Real, N>& p) {
   bool above = false, below = false;

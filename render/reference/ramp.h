@@ -9,18 +9,25 @@
 
 namespace crest::reference {
 
-/// A piece of a ray within one stretch of the TF, on which the field is monotone. `y` in [0, 1] runs along
-/// it.
+/// The integral over a piece of a ray within one stretch of the TF, on which the field is monotone. With y in
+/// [0, 1] along the piece, the place in the stretch is its `fraction` (0 at the lower level, 1 at the upper)
 ///
-/// The place in the stretch is `fraction` (0 at its lower level, 1 at its upper), kept as a difference from
-/// where the piece begins and scaled by the stretch's width: so a piece as narrow as 1e-12 of the field's
-/// range is known as well as a wide one. It is integration over the value (dt = df/f') in another form, which
-/// also holds where f' vanishes.
+///   p(y) = start + rise(y),   a(y) = a_low + (a_high - a_low) p(y),   depth'(y) = -ln(1 - a(y)) depth_scale,
 ///
-/// Where the opacity reaches 1 at an end, -log(1-a) has a logarithmic singularity there, which the cap cuts
-/// off. As tanh-sinh quadrature does, the piece then takes an exponential change of variable y(z) that moves
-/// the end far away. (Boost's tanh-sinh itself gives one integral, not the running one that absorption
-/// needs.)
+/// and what is wanted is   integral of (1, rise(y)) depth'(y) exp(-depth(y)) dy,   from which the light
+/// follows, as colour is linear in p.
+///
+/// `rise` is a difference from where the piece begins, scaled by the stretch's width: so a piece as narrow as
+/// 1e-12 of the field's range is known as well as a wide one. It is integration over the value
+/// (dt = df / f') in another form, which also holds where f' vanishes.
+///
+/// Where the opacity reaches 1 at an end, -ln(1-a) has a logarithmic singularity there, which the cap cuts
+/// off. As tanh-sinh quadrature does, the piece then takes an exponential change of variable that moves the
+/// end far away: with e the ratio of the transmittances 1-a at the two ends and z in [0, ln(1 + 1/e)],
+///
+///   y = e (exp(z) - 1), or the mirror image of it.
+///
+/// (Boost's tanh-sinh itself gives one integral, not the running one that absorption needs.)
 template <class Real, int N>
 struct Ramp {
   Polynomial<Real, N> rise;  ///< of the fraction, from where the piece begins, as a function of y; c[0] is 0

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "render/reference/field_degrees.h"
-
 namespace crest::reference {
 namespace {
 
@@ -141,38 +139,46 @@ void RaySolver<Real>::integrate_run(const FieldPiece<Real, N>& piece, Real from,
 
   Value<Real> value = first;
   for (;;) {
-    const Stretch<Real>& stretch = levels_.stretches[index];
     const bool has_next = rising ? index < levels.size() : index > 0;
     const Level<Real>* next = has_next ? &levels[rising ? index : index - 1] : nullptr;
     if (next && !lies_before(next->value, last)) next = nullptr;
-    if (!next && (stretch.is_clear || is_opaque())) return;
+    if (!next && (levels_.stretches[index].is_clear || is_opaque())) return;
 
-    if (!is_opaque()) {
-      const Polynomial<Real, N> local = piece.f.shifted(from);
-      Polynomial<Real, N> risen = local;  // from here on, without the rounding of the value itself
-      risen.c[0] = 0;
-      Real size = to - from;
-      const Real target = (next ? next->value : last) - value;
-      if (next || ends_steeply(risen, size, target, piece.rounding))
-        size = solve_monotone(risen, target, Real(0), size, rising, target / risen.c[1]);
-      if (!stretch.is_clear) {
-        const Real length = size * piece.length;
-        if (stretch.is_constant) {
-          composite(stretch.color_low, -std::log1p(-stretch.opacity_low) * levels_.extinction_scale * length);
-        } else {
-          Real fraction = rising ? Real(0) : Real(1);
-          const Value<Real> level_behind = levels[rising ? index - 1 : index].value;
-          if (value - level_behind != 0) fraction = (value - levels[index - 1].value) / stretch.width;
-          composite_ramp(stretch, fraction, risen.stretched(size), length);
-        }
-      }
-      from = std::min(from + size, to);
-    }
+    if (!is_opaque())
+      from += composite_stretch(piece, index, from, to, value, next ? next->value : last, next != nullptr);
     if (!next) return;
     cross(*next, rising);
     value = next->value;
     rising ? ++index : --index;
   }
+}
+
+/// The part of a run from `from` on, in which the field goes from `value` to `end` within one stretch: to a
+/// level, or, where the run ends first, to `to`. Returns how far that is.
+template <class Real>
+template <int N>
+Real RaySolver<Real>::composite_stretch(const FieldPiece<Real, N>& piece, std::size_t index, Real from,
+                                        Real to, Value<Real> value, Value<Real> end, bool ends_at_level) {
+  const Stretch<Real>& stretch = levels_.stretches[index];
+  const Real target = end - value;
+  const bool rising = target > 0;
+  Polynomial<Real, N> risen = piece.f.shifted(from);
+  risen.c[0] = 0;  // from here on, without the rounding of the value itself
+  Real size = to - from;
+  if (ends_at_level || ends_steeply(risen, size, target, piece.rounding))
+    size = solve_monotone(risen, target, Real(0), size, rising, target / risen.c[1]);
+  if (stretch.is_clear) return size;
+
+  const Real length = size * piece.length;
+  if (stretch.is_constant) {
+    composite(stretch.color_low, -std::log1p(-stretch.opacity_low) * levels_.extinction_scale * length);
+    return size;
+  }
+  Real fraction = rising ? Real(0) : Real(1);
+  const Value<Real> level_behind = levels_.levels[rising ? index - 1 : index].value;
+  if (value - level_behind != 0) fraction = (value - levels_.levels[index - 1].value) / stretch.width;
+  composite_ramp(stretch, fraction, risen.stretched(size), length);
+  return size;
 }
 
 template <class Real>

@@ -3,22 +3,11 @@
 #include <cstdint>
 #include <limits>
 
+#include "render/reference/field_piece.h"
 #include "render/reference/levels.h"
-#include "render/reference/polynomial.h"
 #include "render/reference/ramp.h"
-#include "render/reference/value.h"
 
 namespace crest::reference {
-
-/// The field along a piece of a ray.
-template <class Real, int N>
-struct FieldPiece {
-  Real offset = 0;          ///< the field is this plus `f`
-  Polynomial<Real, N> f;    ///< of a place in [0, 1]
-  Real length = 0;          ///< in the ray's units
-  Real rounding = 0;        ///< of f's values: those nearer to each other count as equal
-  Real float_rounding = 0;  ///< of the field, where positions and values are rounded to 32-bit float
-};
 
 /// What a ray collects: premultiplied colour and opacity, front to back.
 template <class Real>
@@ -29,12 +18,16 @@ struct Collected {
   bool grazing = false;
 };
 
-/// Solves the volume rendering integral and the crossings along one ray, piece by piece from its front.
+/// Solves the volume rendering integral and the crossings along one ray, piece by piece from its front:
 ///
-/// A piece is cut at the field's extrema; each run between two knots is monotone and meets the TF's levels in
-/// order. Knots within rounding of a level are on it, so that a root on a cell's face or a tangent is decided
-/// as in exact arithmetic. A surface of value v is crossed where inside = {f >= v} changes between two runs,
-/// or within one; a run that stays on v is inside.
+///   C = sum over runs of T_0 * integral of c(f) rho(f) T ds,   T = exp(-integral of rho(f) ds),
+///   and at each crossing of a surface   C += T c_k a_k,   T *= 1 - a_k.
+///
+/// A piece is cut at the field's extrema (f' = 0); each run between two such knots is monotone, and meets the
+/// TF's levels in order. What lies between two levels is a ramp (ramp.h), or constant, where the integral is
+/// c (1 - exp(-rho ds)). Knots within rounding of a level are on it, so that a root on a cell's face or a
+/// tangent is decided as in exact arithmetic. A surface of value v is crossed where inside = {f >= v} changes
+/// between two runs, or within one; a run that stays on v is inside.
 template <class Real>
 class RaySolver {
  public:
@@ -51,8 +44,11 @@ class RaySolver {
   void add_constant(const Stretch<Real>& stretch, Real length);
   void end_span();
 
-  /// Nothing behind shows: less than 1e-17 comes through. (Crossings behind are still counted.)
+  /// Nothing behind shows: less than 1e-17 comes through.
   bool is_opaque() const { return transmittance_ < Real(1e-17); }
+  /// Nothing behind shows, and there are no crossings to be counted.
+  bool is_finished() const { return is_opaque() && levels_.surfaces.empty(); }
+  const Levels<Real>& levels() const { return levels_; }
   const Collected<Real>& collected() const { return collected_; }
 
  private:
@@ -63,6 +59,9 @@ class RaySolver {
   template <int N>
   void integrate_run(const FieldPiece<Real, N>& piece, Real from, Real to, Value<Real> first,
                      Value<Real> last);
+  template <int N>
+  Real composite_stretch(const FieldPiece<Real, N>& piece, std::size_t index, Real from, Real to,
+                         Value<Real> value, Value<Real> end, bool ends_at_level);
   template <int N>
   void composite_ramp(const Stretch<Real>& stretch, Real fraction, const Polynomial<Real, N>& risen,
                       Real length);

@@ -32,23 +32,38 @@ struct Reference {
   Image image() const;  ///< rounded to float
 };
 
+inline constexpr double default_tolerance = 1e-10;
+
 /// Solves every pixel's ray to `tolerance` (absolute, in each channel), on all cores. Step, placement,
 /// shading and early termination have no part in it; the clip box has. Throws Error, Cancelled.
 ///
-/// In a cell the trilinear field along a ray is a cubic. The ray is cut where this enters or leaves a cell,
-/// turns round, or meets a control point's value, the opacity cap or a surface's value; in between everything
-/// is smooth, and is integrated by Gauss-Legendre quadrature in as many panels as the tolerance takes.
+/// What is solved is, on a ray x(s) from the eye on, with the trilinear field f(s) = f(x(s)) in the box,
+///
+///   I = integral of c(f(s)) rho(f(s)) T(s) ds,   rho = -ln(max(1 - a(f), 2^-24)) / unit_distance,
+///   T(s) = exp(-integral of rho up to s) * product of (1 - a_k) over the crossings k before s,
+///
+/// plus T(s_k) c_k a_k at each crossing s_k, of which an answer may leave out either (answer.h). The way
+/// there:
+///
+///   pixel_ray        a pixel's ray, where it is in the rendered box
+///   cell_walk        the cells on it; in a cell f(s) is a cubic (trilinear_field)
+///   piecewise_fit    or f(s) of a formula, as polynomials (formula_field)
+///   levels           the TF, cut at the values where it bends, where the cap begins, and of the surfaces
+///   ray_solver       f(s) cut at its extrema and where it meets a level: in between all is smooth
+///   ramp             the integral over one such piece, by the rule of collocation.h
+///   polynomial       roots, one between each two extrema
+///   cache            what was rendered before
 Reference render_reference(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
-                           double tolerance = 1e-10, const Progress& progress = {});
+                           double tolerance = default_tolerance, const Progress& progress = {});
 
 /// The same of the formula itself, over the box of the scene's volume: what its grid was sampled from.
 /// Formulas are fitted piece by piece with polynomials, to the rounding of double.
 Reference render_reference(const FormulaField& field, const Scene& scene, const Camera& camera,
-                           glm::ivec2 size, Answer answer, double tolerance = 1e-10,
+                           glm::ivec2 size, Answer answer, double tolerance = default_tolerance,
                            const Progress& progress = {});
 
 /// The same code with all its arithmetic in 32-bit float: what float alone costs.
 Reference render_reference_in_float(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
-                                    double tolerance = 1e-10, const Progress& progress = {});
+                                    double tolerance = default_tolerance, const Progress& progress = {});
 
 }  // namespace crest

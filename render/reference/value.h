@@ -1,6 +1,11 @@
 #pragma once
 
+#include <glm/vec3.hpp>
+
 namespace crest::reference {
+
+template <class Real>
+using Vec3 = glm::vec<3, Real>;
 
 /// A number as the unevaluated sum of two: a field's value at a large offset, or a place in a TF that is
 /// narrower than the rounding of its value. Differences of near values keep their digits.

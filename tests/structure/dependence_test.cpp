@@ -60,9 +60,9 @@ TEST(Dependence, NoGraphicsWhereItDoesNotBelong) {
       EXPECT_FALSE(starts_with_any(include.target, gui)) << include.file << " includes " << include.target;
 }
 
-// The CPU side of render needs no GL: it is what the reference, the tables and the tests build on.
-TEST(Dependence, VolumesAndTablesNeedNoGl) {
-  for (const std::string folder : {"render/volume", "render/classify"})
+// The CPU side of render needs no GL: it is what the tables and the tests build on.
+TEST(Dependence, VolumesTablesAndTheReferenceNeedNoGl) {
+  for (const std::string folder : {"render/volume", "render/classify", "render/reference"})
     for (const Include& include : includes_below(folder)) {
       EXPECT_FALSE(starts_with_any(include.target, {"epoxy/", "render/gl/", "render/raycaster/"}))
           << include.file << " includes " << include.target;

@@ -1,4 +1,4 @@
-#include "render/reference/formula_walk.h"
+#include "render/reference/piecewise_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,7 @@ namespace {
 
 constexpr int degree = formula_degree;
 constexpr int most_halvings = 40;
+constexpr double roundings = 64 * std::numeric_limits<double>::epsilon();
 constexpr double most_noise = 1000;  // times the rounding that is asked for
 
 /// Interpolation at Chebyshev's extremal points, which include both ends.
@@ -45,42 +46,58 @@ const Interpolation& interpolation() {
 
 using Function = std::function<double(double)>;
 
-/// `off_before` is how far the piece that this one is half of was from the function.
-bool fit(const Function& value, const FittedPiece& whole, double off_before, int halvings,
-         const std::function<bool(const FittedPiece&)>& visit) {
+/// The polynomial through the function's values on `whole`, with its rounding.
+FittedPiece interpolate(const Function& value, const FittedPiece& whole) {
   const Interpolation& rule = interpolation();
   FittedPiece piece = whole;
   piece.offset = value(piece.begin);
   piece.f = {};
+  double largest = std::abs(piece.offset);
   for (std::size_t i = 1; i <= degree; ++i) {
-    const double rise = value(piece.begin + rule.node[i] * piece.length) - piece.offset;
-    for (std::size_t k = 0; k <= degree; ++k) piece.f.c[k] += rise * rule.lagrange[i].c[k];
+    const double at_node = value(piece.begin + rule.node[i] * piece.length);
+    largest = std::max(largest, std::abs(at_node));
+    for (std::size_t k = 0; k <= degree; ++k)
+      piece.f.c[k] += (at_node - piece.offset) * rule.lagrange[i].c[k];
   }
-  double off = 0;
+  piece.rounding = std::max(whole.rounding, roundings * largest);
+  return piece;
+}
+
+/// How far the piece is from the function between the points of interpolation.
+double distance(const Function& value, const FittedPiece& piece) {
+  const Interpolation& rule = interpolation();
+  double most = 0;
   for (std::size_t i = 0; i < degree; ++i) {
-    const double between = std::midpoint(rule.node[i], rule.node[i + 1]);
-    off = std::max(off,
-                   std::abs(piece.offset + piece.f(between) - value(piece.begin + between * piece.length)));
+    const double x = std::midpoint(rule.node[i], rule.node[i + 1]);
+    const double off = piece.offset + piece.f(x) - value(piece.begin + x * piece.length);
+    most = std::max(most, std::abs(off));
   }
+  return most;
+}
+
+/// `off_before` is how far the piece that this one is half of was from the function.
+bool fit(const Function& value, const FittedPiece& whole, double off_before, int halvings,
+         const std::function<bool(const FittedPiece&)>& visit) {
+  FittedPiece piece = interpolate(value, whole);
+  const double off = distance(value, piece);
   // A small distance that halving leaves as it is is the rounding of the formula itself.
-  const bool is_noise = off < most_noise * whole.rounding && off > off_before / 4;
-  if (off <= whole.rounding || is_noise || halvings == most_halvings) {
-    piece.rounding = std::max(whole.rounding, 2 * off);
+  const bool is_noise = off < most_noise * piece.rounding && off > off_before / 4;
+  if (off <= piece.rounding || is_noise || halvings == most_halvings) {
+    piece.rounding = std::max(piece.rounding, 2 * off);
     return visit(piece);
   }
-  FittedPiece half = whole;
-  half.length /= 2;
+  FittedPiece half{.begin = piece.begin, .length = piece.length / 2, .rounding = piece.rounding};
   if (!fit(value, half, off, halvings + 1, visit)) return false;
   half.begin += half.length;
-  half.length = whole.begin + whole.length - half.begin;
+  half.length = piece.begin + piece.length - half.begin;
   return fit(value, half, off, halvings + 1, visit);
 }
 
 }  // namespace
 
-bool fit_pieces(const Function& value, double begin, double length, double rounding,
+bool fit_pieces(const Function& value, double begin, double length, double usual_value,
                 const std::function<bool(const FittedPiece&)>& visit) {
-  return fit(value, {.begin = begin, .length = length, .rounding = rounding},
+  return fit(value, {.begin = begin, .length = length, .rounding = roundings * usual_value},
              std::numeric_limits<double>::infinity(), 0, visit);
 }
 

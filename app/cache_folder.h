@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+
+namespace crest {
+
+/// Where the program keeps what it can make again: $XDG_CACHE_HOME/crest, or ~/.cache/crest; empty where
+/// neither is known. It need not exist.
+std::filesystem::path cache_folder();
+
+}  // namespace crest

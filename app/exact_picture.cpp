@@ -1,0 +1,74 @@
+#include "app/exact_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "app/cache_folder.h"
+#include "app/picture.h"
+#include "app/progress.h"
+#include "presets/error.h"
+#include "presets/names.h"
+#include "render/classify/classification.h"
+
+namespace crest {
+namespace {
+
+/// Why what the preset sets has no part in an exact answer.
+constexpr std::pair<const char*, const char*> without_part[] = {
+    {"step", "nothing is sampled: the integral is solved piece by piece"},
+    {"placement", "nothing is sampled"},
+    {"max_peaks", "every crossing is composited"},
+    {"peak_bins", "crossings are solved for, not looked up"},
+    {"shading", "an exact answer has none"},
+    {"early_termination", "every ray is solved to its end"},
+    {"frames", "an exact answer is rendered once"}};
+
+}  // namespace
+
+std::vector<ExactPicture> render_exact_pictures(const std::vector<Scene>& scenes, const Camera& camera,
+                                                glm::ivec2 size, const std::string& output) {
+  const Interrupt interrupt;
+  ProgressBar bar;
+  std::vector<ExactPicture> pictures;
+  for (const Scene& scene : scenes) {
+    const Answer answer = answers_of(scene.rendering).front();
+    const std::string doing = fmt::format("exact answer {}", name_of(answer));
+    const auto progress = [&](double done) {
+      bar.show((double(pictures.size()) + done) / double(scenes.size()), doing);
+      return !interrupt.is_requested();
+    };
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+      auto [reference, from_cache] = render_reference_cached(
+          cache_folder(), default_cache_bytes, scene, camera, size, answer, default_tolerance, progress);
+      const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
+      pictures.push_back({answer, std::move(reference), taken.count(), from_cache});
+    } catch (const Cancelled&) {
+      throw Error(fmt::format("stopped; {} was not written", output));
+    }
+  }
+  return pictures;
+}
+
+nlohmann::ordered_json statistics_json(const ExactPicture& picture, const Scene& scene) {
+  const Reference& exact = picture.reference;
+  const double pixels = double(exact.pixels.size());
+  nlohmann::ordered_json json;
+  json["mode"] = name_of(scene.rendering.mode);
+  json["answer"] = name_of(picture.answer);
+  json["tolerance"] = default_tolerance;
+  json["from_cache"] = picture.from_cache;
+  json["frame_ms"] = picture.ms;
+  json["crossings_per_ray"] =
+      double(std::accumulate(exact.crossings.begin(), exact.crossings.end(), std::uint64_t(0))) / pixels;
+  json["grazing_share"] = double(std::ranges::count(exact.grazing, 1)) / pixels;
+  json["peaks"] = peaks_json(classify(scene.tf, scene.volume->statistics.range, 1).surfaces);
+  for (const auto& [setting, why] : without_part) json["left_out"][setting] = why;
+  return json;
+}
+
+}  // namespace crest

@@ -1,0 +1,395 @@
+#include "ui/accuracy_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/measure/method_convergence.h"
+#include "render/measure/pareto.h"
+#include "ui/accuracy_plot.h"
+#include "ui/style.h"
+
+namespace crest {
+namespace {
+
+constexpr float least_diagram = 190;  // pixels of height, before the panel scrolls
+constexpr std::size_t most_told = 24;
+
+constexpr std::array answers{Answer::integral, Answer::crossings, Answer::integral_and_crossings,
+                             Answer::base_and_crossings};
+
+constexpr const char* explanation_of(Answer answer) {
+  switch (answer) {
+    case Answer::integral:
+      return "The volume rendering integral of the transfer function";
+    case Answer::crossings:
+      return "The peaks' surfaces where rays cross them, nothing else";
+    case Answer::integral_and_crossings:
+      return "The integral of the whole transfer function, and the peaks' surfaces";
+    case Answer::base_and_crossings:
+      break;
+  }
+  return "The integral without the spikes, and the peaks' surfaces";
+}
+
+/// What is shown against one exact answer.
+struct Shown {
+  const AccuracyResults& results;
+  Answer answer;
+  TargetError target;
+  std::vector<MethodLine> lines{};
+  std::vector<WorkPrecision> front{};
+  std::optional<std::size_t> recommended{};
+  std::vector<MethodConvergence> convergences{};  ///< to this answer
+  const Method* present = nullptr;  ///< with which the document renders; null when it is not in the table
+  std::optional<WorkPrecision> present_point{};
+};
+
+/// The lookup takes a millisecond or so, hence once for each setting.
+const Method* method_of(const Rendering& rendering, AccuracyState& state) {
+  if (state.present && state.present->rendering == rendering) return state.present->method;
+  const auto found = std::ranges::find_if(methods(), [&](const Method& method) {
+    return with_method(rendering, method, rendering.step) == rendering;
+  });
+  state.present = {rendering, found == methods().end() ? nullptr : &*found};
+  return state.present->method;
+}
+
+Shown shown_results(const AccuracyResults& results, AccuracyState& state, const Rendering& rendering) {
+  Shown shown{results, state.answer.value_or(answers_of(rendering).front()), state.target};
+  const auto& measured = results.measured;
+  if (measured.empty()) return shown;
+  const ErrorMeasure& measure = *shown.target.measure;
+  shown.lines = method_lines(measured, shown.answer, measure);
+  for (const std::size_t i : pareto_front(measured, shown.answer, measure))
+    shown.front.push_back({measured[i].frame_ms, measure.value(*measured[i].error_against(shown.answer))});
+  shown.recommended = cheapest_under(measured, shown.answer, shown.target);
+  for (MethodConvergence& convergence : convergence_of(measured, shown.target))
+    if (convergence.answer == shown.answer) shown.convergences.push_back(std::move(convergence));
+  shown.present = method_of(rendering, state);
+  for (const MethodLine& line : shown.lines)
+    if (line.method == shown.present) shown.present_point = point_at_step(line, measured, rendering.step);
+  return shown;
+}
+
+/// Steps are powers of two.
+std::string step_text(double step) {
+  const double parts = 1 / step;
+  return step < 1 && parts == std::round(parts) ? fmt::format("1/{}", parts) : short_text(step);
+}
+
+std::string ms_text(double ms) { return ms < 100 ? fmt::format("{:.3g}", ms) : fmt::format("{:.0f}", ms); }
+
+bool apply(Document& document, AccuracyState& state, const Shown& shown, std::size_t index) {
+  const Measurement& m = shown.results.measured[index];
+  const Method* method = find_method(m.method);
+  if (!method) return false;
+  state.answer = shown.answer;  // stays, whatever mode the document takes
+  const Rendering before = document.preset.rendering;
+  document.preset.rendering = with_method(before, *method, m.step);
+  return document.preset.rendering != before;
+}
+
+std::string status_of(const AccuracyResults& results) {
+  const std::string points = fmt::format("{} points", results.measured.size());
+  if (results.is_running)
+    return fmt::format("{}{}{}", results.measured.empty() || results.is_stale ? "" : points + "   ",
+                       results.doing, results.done > 0 ? fmt::format("   {:.0f} %", 100 * results.done) : "");
+  if (results.measured.empty()) return "";
+  if (results.is_stale) return "of a scene or view that has changed since";
+  return fmt::format("{} of {} x {} pixels{}", points, results.size.x, results.size.y,
+                     results.is_on ? ": all is measured" : "");
+}
+
+void switch_row(StudioState& state, const StudioInputs& inputs, const AccuracyResults& results,
+                StudioRequests& requests) {
+  ImGui::BeginDisabled(!inputs.volume && !results.is_on);
+  const float width = ImGui::CalcTextSize("Measure").x + 2 * ImGui::GetStyle().FramePadding.x;
+  if (ImGui::Button(results.is_on ? "Stop##measure" : "Measure##measure", {width, 0}))
+    requests.measure = !results.is_on;
+  note_item(state.widgets, "measure");
+  ImGui::EndDisabled();
+  tip(results.is_on
+          ? "Stops; what was measured stays.\nWhile it is on, a change of the transfer function, the "
+            "volume,\nthe camera or the clip box measures anew."
+          : "Measures this scene and view in the background:\nthe exact answers, then each method "
+            "from coarse steps to fine ones");
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  if (!results.error.empty())
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error), "%s", results.error.c_str());
+  else
+    ImGui::TextDisabled("%s", status_of(results).c_str());
+  if (!results.error.empty()) tip(results.error.c_str());
+}
+
+void answer_row(AccuracyState& state, WidgetState& widgets, const AccuracyResults& results, Answer shown) {
+  field_label("against");
+  for (const Answer answer : answers) {
+    const std::string name(name_of(answer));
+    const bool is_there = std::ranges::any_of(
+        results.measured, [&](const Measurement& m) { return m.error_against(answer) != nullptr; });
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(answer == shown ? ImGuiCol_HeaderActive
+                                                                                    : ImGuiCol_FrameBg));
+    ImGui::PushStyleColor(ImGuiCol_Text, is_there || answer == shown ? palette::text : palette::dim);
+    if (ImGui::Button(name.c_str())) state.answer = answer;
+    ImGui::PopStyleColor(2);
+    note_item(widgets, "answer/" + name);
+    tip(explanation_of(answer));
+    ImGui::SameLine(0, scaled(3));
+  }
+  ImGui::NewLine();
+}
+
+void target_row(TargetError& target, WidgetState& widgets) {
+  const auto measures = error_measures();
+  std::vector<std::string_view> names;
+  for (const ErrorMeasure& measure : measures) names.push_back(measure.name);
+  int index = int(target.measure - measures.data());
+  const float field = scaled(70), gap = ImGui::GetStyle().ItemSpacing.x;
+  const float label = ImGui::CalcTextSize("at most").x + ImGui::GetStyle().ItemInnerSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x - field - gap - label;
+  if (choice(widgets, "##error measure", index, names, std::clamp(room, scaled(80), scaled(300))))
+    target.measure = &measures[std::size_t(index)];
+  tip("The error up the diagram, over premultiplied RGBA in [0, 1]");
+  ImGui::SameLine();
+  field_label("at most");
+  number_field(widgets, "##target error", target.most, {0, 1}, field);
+  tip("The target. Filled marks meet it; the cheapest of them is recommended.");
+}
+
+void point_tooltip(const Shown& shown, std::size_t index) {
+  const Measurement& m = shown.results.measured[index];
+  const Method* method = find_method(m.method);
+  const ImageError& error = *m.error_against(shown.answer);
+  const float column = scaled(74);
+  const auto row = [&](std::string_view value, std::string_view text) {
+    const float x = ImGui::GetCursorPosX();
+    ImGui::TextUnformatted(value.data(), value.data() + value.size());
+    ImGui::SameLine(x + column);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopStyleColor();
+  };
+  // To the upper right, where work-precision diagrams are empty
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const float width = column + scaled(250) + 2 * ImGui::GetStyle().WindowPadding.x;
+  const float most_x = std::max(ImGui::GetIO().DisplaySize.x - width, 0.0F);
+  ImGui::SetNextWindowPos({std::min(mouse.x + scaled(14), most_x), mouse.y - scaled(14)}, ImGuiCond_Always,
+                          {0, 1});
+  ImGui::BeginTooltip();
+  ImGui::PushStyleColor(ImGuiCol_Text, color_of(*method));
+  ImGui::TextUnformatted(method->name.data(), method->name.data() + method->name.size());
+  ImGui::PopStyleColor();
+  ImGui::Separator();
+  if (method->has_step) row(step_text(m.step), "step, in the smallest spacing");
+  row(ms_text(m.frame_ms), "ms a frame");
+  row(fmt::format("{:.4g}", m.samples_per_ray),
+      fmt::format("samples a ray, {:.4g} for DVR", m.dvr_samples_per_ray));
+  ImGui::Separator();
+  for (const ErrorMeasure& measure : error_measures())
+    if (const double value = measure.value(error); std::isfinite(value))
+      row(fmt::format("{:.3g}", value), measure.name);
+  if (const double grazing = error.grazing_share(); grazing > 0)
+    row(fmt::format("{:.3g}", grazing), "share of grazing pixels, left out");
+  ImGui::Separator();
+  ImGui::TextDisabled("%s", shown.recommended == index
+                                ? "The cheapest that meets the target. Click to use it."
+                                : "Click to render with this setting.");
+  ImGui::EndTooltip();
+}
+
+/// Why there is no point, in the middle of where they would be.
+void hint(ImDrawList& list, const Shown& shown, ImVec2 low, ImVec2 high) {
+  const char* text =
+      "Measure draws what each method makes of this scene and view:\n"
+      "its error against the exact answer, over the time of a frame,\n"
+      "at steps from 4 down to 1/64 of the smallest spacing.";
+  if (!shown.results.measured.empty())
+    text = shown.results.is_running ? "No point against this answer yet."
+                                    : "No method was measured against this answer.";
+  else if (shown.results.is_running)
+    text = "The first points come when the first exact answer is there.";
+  const ImVec2 size = ImGui::CalcTextSize(text);
+  list.PushClipRect(low, high, true);
+  list.AddText({std::max(low.x + scaled(8), std::round((low.x + high.x - size.x) / 2)),
+                std::round((low.y + high.y - size.y) / 2)},
+               palette::faint, text);
+  list.PopClipRect();
+}
+
+void draw_diagram(ImDrawList& list, const AccuracyPlot& plot, const Shown& shown, std::string_view emphasized,
+                  std::optional<std::size_t> hovered) {
+  const auto& measured = shown.results.measured;
+  const float presence = shown.results.is_stale ? 0.35F : 1;
+  const double most = shown.target.most;
+  list.PushClipRect({plot.low.x, plot.low.y}, {plot.high.x + 1, plot.high.y + 1}, true);
+  draw_target(list, plot, most);
+  draw_front(list, plot, shown.front);
+  for (const MethodLine& line : shown.lines) {
+    const bool is_it = line.method->id == emphasized;
+    draw_line(list, plot, line, most, presence * (emphasized.empty() || is_it ? 1.0F : 0.45F), is_it);
+  }
+  const auto point_of = [&](std::size_t i) {
+    const Measurement& m = measured[i];
+    return WorkPrecision{m.frame_ms, shown.target.measure->value(*m.error_against(shown.answer))};
+  };
+  if (shown.recommended && !shown.results.is_stale)
+    draw_ring(list, plot, point_of(*shown.recommended), scaled(10), palette::good, "recommended", false);
+  if (shown.present_point)
+    draw_ring(list, plot, *shown.present_point, scaled(7), IM_COL32_WHITE, "present", true);
+  if (hovered) list.AddCircle(plot.place(point_of(*hovered)), scaled(8), palette::accent, 24, scaled(1.6F));
+  list.PopClipRect();
+}
+
+bool diagram(Document& document, StudioState& state, const Shown& shown, float height) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 size{std::max(ImGui::GetContentRegionAvail().x, scaled(100)), height};
+  const bool clicked = ImGui::InvisibleButton("##accuracy plot", size);
+  note_item(state.widgets, "accuracy plot");
+  const AccuracyPlot plot =
+      accuracy_plot(shown.lines, shown.target.most, corner, {corner.x + size.x, corner.y + size.y});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_axes(list, plot);
+  if (shown.results.is_running) {
+    const float done = float(std::clamp(shown.results.done, 0.0, 1.0)) * (plot.high.x - plot.low.x);
+    list.AddRectFilled({plot.low.x, plot.low.y - scaled(2)}, {plot.low.x + done, plot.low.y},
+                       palette::accent);
+  }
+  if (shown.lines.empty()) {
+    hint(list, shown, plot.low, plot.high);
+    return false;
+  }
+  const auto& measured = shown.results.measured;
+  for (const MethodLine& line : shown.lines)
+    for (const AnswerPoint& p : line.points) {
+      const ImVec2 at = plot.place(p.point);
+      state.widgets.items[fmt::format("measured/{}/{}", line.method->id, measured[p.index].step)] = {at, at};
+    }
+  const auto hovered = ImGui::IsItemHovered() || clicked
+                           ? point_near(plot, shown.lines, ImGui::GetIO().MousePos)
+                           : std::nullopt;
+  draw_diagram(list, plot, shown,
+               hovered ? std::string_view(measured[*hovered].method) : state.accuracy.hovered_method,
+               hovered);
+  if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (hovered && !clicked) point_tooltip(shown, *hovered);
+  return clicked && hovered && apply(document, state.accuracy, shown, *hovered);
+}
+
+/// A method: its order of convergence, and its cheapest setting that meets the target.
+bool method_row(Document& document, StudioState& state, const Shown& shown, const MethodLine& line) {
+  const auto found = std::ranges::find(shown.convergences, line.method->id, &MethodConvergence::method);
+  if (found == shown.convergences.end()) return false;
+  const auto& cheapest = found->cheapest;
+  ImGui::TableNextColumn();
+  const std::string name(line.method->name);
+  const float mark = ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool clicked = ImGui::Selectable(("##method " + name).c_str(), shown.present == line.method,
+                                         ImGuiSelectableFlags_SpanAllColumns);
+  note_item(state.widgets, fmt::format("method/{}", line.method->id));
+  if (ImGui::IsItemHovered()) state.accuracy.hovered_method = line.method->id;
+  tip(!cheapest ? "No setting that was measured meets the target"
+      : !found->steady
+          ? "Click to render with its cheapest setting that meets the target.\n* Some finer steps miss "
+            "it again: this one may owe it to chance."
+          : "Click to render with its cheapest setting that meets the target");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_mark(list, {at.x + mark / 2, at.y + mark / 2}, scaled(4), *line.method, true);
+  list.AddText({at.x + mark + scaled(6), at.y}, palette::text, name.c_str());
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", found->fit ? fmt::format("{:.2f}", found->fit->order).c_str() : "-");
+  ImGui::TableNextColumn();
+  if (!cheapest) {
+    ImGui::TextDisabled("-");
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("-");
+    return false;
+  }
+  const Measurement& m = shown.results.measured[*cheapest];
+  ImGui::TextDisabled("%s%s", line.method->has_step ? step_text(m.step).c_str() : "-",
+                      found->steady ? "" : " *");
+  ImGui::TableNextColumn();
+  const ImU32 color = shown.recommended == cheapest ? palette::good : palette::text;
+  ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color), "%s", ms_text(m.frame_ms).c_str());
+  return clicked && apply(document, state.accuracy, shown, *cheapest);
+}
+
+void table_head() {
+  static constexpr std::pair<const char*, const char*> columns[] = {
+      {"Method", "A click on a row takes its cheapest setting that meets the target"},
+      {"Order",
+       "Of convergence: the slope of log(RMSE) over log(step), fitted at the finest steps\nwhere the error "
+       "is a power of the step"},
+      {"Step", "Of the cheapest setting that meets the target"},
+      {"ms", "A frame at that step"}};
+  ImGui::TableSetupColumn(columns[0].first, ImGuiTableColumnFlags_WidthStretch);
+  for (std::size_t i = 1; i < std::size(columns); ++i)
+    ImGui::TableSetupColumn(columns[i].first, ImGuiTableColumnFlags_WidthFixed, scaled(54));
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (const auto& [name, meaning] : columns) {
+    ImGui::TableNextColumn();
+    ImGui::TableHeader(name);
+    tip(meaning);
+  }
+}
+
+bool method_table(Document& document, StudioState& state, const Shown& shown) {
+  state.accuracy.hovered_method = {};
+  if (shown.lines.empty()) return false;
+  constexpr ImGuiTableFlags flags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
+  if (!ImGui::BeginTable("methods", 4, flags)) return false;
+  table_head();
+  bool changed = false;
+  for (const MethodLine& line : shown.lines) changed |= method_row(document, state, shown, line);
+  ImGui::EndTable();
+  return changed;
+}
+
+/// On what it was measured, and what was not.
+void footnote(const AccuracyResults& results) {
+  ImGui::TextDisabled("%d x %d pixels, timed beside this window", results.size.x, results.size.y);
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip(
+        "%s\nThe times are of a machine that the window and other programs share:\nthey order the methods, "
+        "but "
+        "vary from run to run. For times to quote use crest report.\nShading and early termination are off "
+        "while it measures.",
+        results.renderer.c_str());
+  if (results.left_out.empty()) return;
+  ImGui::SameLine(0, scaled(16));
+  ImGui::TextDisabled("%zu left out", results.left_out.size());
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  for (std::size_t i = 0; i < std::min(results.left_out.size(), most_told); ++i)
+    ImGui::Text("%s: %s", results.left_out[i].what.c_str(), results.left_out[i].why.c_str());
+  if (results.left_out.size() > most_told)
+    ImGui::TextDisabled("and %zu more", results.left_out.size() - most_told);
+  ImGui::EndTooltip();
+}
+
+}  // namespace
+
+bool accuracy_panel(Document& document, StudioState& state, const StudioInputs& inputs,
+                    StudioRequests& requests) {
+  static const AccuracyResults nothing;
+  const AccuracyResults& results = inputs.accuracy ? *inputs.accuracy : nothing;
+  const Shown shown = shown_results(results, state.accuracy, document.preset.rendering);
+  switch_row(state, inputs, results, requests);
+  answer_row(state.accuracy, state.widgets, results, shown.answer);
+  target_row(state.accuracy.target, state.widgets);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float row = ImGui::GetFontSize() + 2 * style.CellPadding.y;
+  const float table = shown.lines.empty() ? 0 : row * float(shown.lines.size() + 1) + style.ItemSpacing.y;
+  const float note = results.measured.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing();
+  const float room = ImGui::GetContentRegionAvail().y - table - note - style.ItemSpacing.y;
+  bool changed = diagram(document, state, shown, std::max(room, scaled(least_diagram)));
+  changed |= method_table(document, state, shown);
+  if (!results.measured.empty()) footnote(results);
+  return changed;
+}
+
+}  // namespace crest
