@@ -14,8 +14,11 @@ namespace {
 constexpr double other_draws = 2;
 /// An exact answer may take this share of the time that is left.
 constexpr double reference_share = 0.5;
-/// A frame that takes longer is timed three times only.
+/// A frame that takes longer is timed three times only,
 constexpr double long_frame_ms = 1000;
+/// and short ones as often as it takes to come to this time, up to so many times `frames`.
+constexpr double least_timed_ms = 100;
+constexpr int most_repeats = 5;
 
 /// Answers in the order in which they are rendered: the scene's own first, since it is what a person looks
 /// at, then `integral`, with which all are compared.
@@ -208,9 +211,10 @@ void Sweep::time_frames(const std::vector<PlannedPoint>& group, std::vector<Poin
                         std::stop_token stop) {
   std::vector<double> anchor_ms;
   double slowest = 0;
-  const auto is_enough = [&](int round) {
-    if (round == 0) return false;
-    return round >= (slowest > long_frame_ms ? 3 : settings_.frames) || seconds_left() <= 0;
+  const auto is_enough = [&](int rounds) {
+    if (rounds == 0) return false;
+    const bool is_long = slowest * rounds >= least_timed_ms || rounds >= most_repeats * settings_.frames;
+    return (rounds >= (slowest > long_frame_ms ? 3 : settings_.frames) && is_long) || seconds_left() <= 0;
   };
   for (int round = 0; !is_enough(round); ++round) {
     anchor_ms.push_back(measurer_.frame(*anchor_).wall_ms);
@@ -237,10 +241,11 @@ void Sweep::time_frames(const std::vector<PlannedPoint>& group, std::vector<Poin
 void Sweep::tell_skipped(const std::vector<PlannedPoint>& plan) {
   for (const Method* method : methods_)
     if (!is_ready(*method)) left_out_.push_back({std::string(method->id), "it has no exact answer here"});
-  for (const PlannedPoint& point : plan)
-    left_out_.push_back({describe(point), point.expected_ms ? fmt::format("a frame would take about {:.3g} s",
-                                                                          1e-3 * *point.expected_ms)
-                                                            : "the time was over"});
+  for (const PlannedPoint& point : plan) {
+    const std::string frame =
+        point.expected_ms ? fmt::format("; a frame would take about {:.3g} ms", *point.expected_ms) : "";
+    left_out_.push_back({describe(point), "no time was left for it" + frame});
+  }
 }
 
 }  // namespace crest

@@ -43,7 +43,7 @@ struct SweepSettings {
   std::optional<double> budget_seconds =
       {};  ///< for all of it, exact answers included; without one, every point
   TargetError target = default_target();
-  int frames = 5;            ///< that each point is timed with; 3 where one takes over a second
+  int frames = 5;            ///< timed of each point: more of short ones, 3 where one takes over a second
   double group_seconds = 4;  ///< points are timed turn by turn in groups of about this long
   /// A point whose frame is expected to take longer is left out.
   double longest_frame_ms = std::numeric_limits<double>::infinity();

@@ -177,7 +177,7 @@ TEST(Sweep, StopsWhenAskedTo) {
 
 TEST(Sweep, StartsEachMethodOnce) {
   FakeRenderer renderer;
-  Sweep sweep(testing::scene_with_peak(0.5), renderer.measurer(), {.budget_seconds = 10});
+  Sweep sweep(testing::scene_with_peak(0.5), renderer.measurer(), {.budget_seconds = 30});
   run(sweep);
   EXPECT_EQ(renderer.starts, int(methods().size()));
   ASSERT_EQ(sweep.starts().size(), methods().size());

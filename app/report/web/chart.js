@@ -112,7 +112,7 @@ function logLogChart({series, xTitle, yTitle, target, front}) {
                svg("text", {class: "title", transform: `translate(16 ${(top + floor) / 2}) rotate(-90)`, "text-anchor": "middle"}, yTitle));
   if (target && target.y > 0 && Math.log10(target.y) > yLow)
     chart.append(svg("line", {class: "target", x1: left, x2: width - right, y1: y(target.y), y2: y(target.y)}),
-                 svg("text", {class: "target-text", x: width - right - 4, y: y(target.y) - 6, "text-anchor": "end"}, target.text));
+                 svg("text", {class: "target-text", x: left + 6, y: y(target.y) - 6}, target.text));
   if (front.length) chart.append(svg("path", {class: "front", d: pathOf(front.map((p) => [x(p.x), y(p.y)]))}));
   for (const s of series) chart.append(drawSeries(s, x, y));
   const result = element("div", {}, chart, legend(series));
@@ -127,7 +127,7 @@ function drawGrid(chart, a) {
     for (let m = 1; m < 10; ++m) {
       const at = Math.log10(m) + e;
       if (at < a.xLow || at > a.xHigh) continue;
-      const px = a.x(10 ** at), labelled = m === 1 || ((m === 2 || m === 5) && a.xHigh - a.xLow < 2.5);
+      const px = a.x(10 ** at), labelled = m === 1 || ((m === 2 || m === 5) && a.xHigh - a.xLow < 3.3);
       chart.append(svg("line", {class: labelled ? "grid-line" : "grid-line minor", x1: px, x2: px, y1: a.top, y2: a.bottom}));
       if (labelled) chart.append(svg("text", {x: px, y: a.bottom + 17, "text-anchor": "middle"}, number(m * 10 ** e)));
     }

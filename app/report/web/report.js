@@ -171,17 +171,18 @@ function fillStarts() {
 function fillMethod() {
   const s = data.settings, anchors = data.points.map((p) => p.anchor_ms).filter((t) => t > 0);
   const grazing = Math.max(0, ...data.points.flatMap((p) => p.errors.map((e) => e.grazing_share)));
+  const leftOut = Math.max(0, ...data.points.map((p) => p.crossings_left_out_per_ray));
   const lines = [
     `Renderer: ${data.renderer}; ${data.processors} processors.`,
     `It took ${number(data.seconds)} s, of these ${number(data.reference_seconds)} s for the exact answers` +
         (s.budget_seconds === null ? "; there was no budget." : `; the budget was ${number(s.budget_seconds)} s.`),
-    `A frame's time is the median of ${s.frames} frames (3 where one takes over a second). The points of a group were drawn turn by turn, together with the sweep's ` +
+    `A frame's time is the median of ${s.frames} frames (more of short ones, 3 where one takes over a second). The points of a group were drawn turn by turn, together with the sweep's ` +
         `first point, whose median lay between ${ms(Math.min(...anchors))} and ${ms(Math.max(...anchors))} in the groups: so far the machine drifted.`,
     "Shading has no exact answer, and early termination adds an error of its own: both are off, for the times as for the errors.",
     `Errors are over premultiplied RGBA, on the pixels where either picture has alpha > 0. Pixels whose ray grazes a surface within the rounding of 32-bit float are left out: ` +
         `at most ${percent(grazing)} of them here.`,
     `FLIP (Andersson et al. 2020) is the mean over the same pixels, over the background, at ${number(s.flip_pixels_per_degree)} pixels a degree.`,
-    `A pixel's ray crosses at most ${data.scene.max_peaks} surfaces in one step (max_peaks); crossings beyond are left out of the picture.`];
+    `A step composites at most ${data.scene.max_peaks} crossings (max_peaks); those beyond were at most ${number(leftOut)} a ray.`];
   if (/llvmpipe/.test(data.renderer))
     lines.push("This renderer's device clock (GL_TIME_ELAPSED) covers only a part of each frame: go by the wall clock.");
   byId("method").append(...lines.map((line) => element("p", {class: "small"}, line)), command(data.command));
@@ -191,7 +192,7 @@ function fillDetails() {
   byId("left-out-title").textContent = `Left out (${data.left_out.length})`;
   fillTable(byId("left-out"), ["What", "Why"], data.left_out.map((l) => [l.what, l.why]));
   const rows = data.points.flatMap((p) => p.errors.map((e) => [
-    methodOf[p.method].name, {number: stepText(p.step)}, e.answer, {number: ms(p.frame_ms)}, {number: ms(p.device_ms)}, {number: number(p.samples_per_ray)},
+    p.method, {number: stepText(p.step)}, e.answer, {number: ms(p.frame_ms)}, {number: ms(p.device_ms)}, {number: number(p.samples_per_ray)},
     ...data.measures.map((m) => ({number: errorText(m.id, e.measures[m.id])})), p.why]));
   fillTable(byId("points"), ["Method", {number: "Step"}, "against", {number: "Time"}, {number: "Device"}, {number: "Samples a ray"},
                              ...data.measures.map((m) => ({number: m.id})), "measured for"], rows);
