@@ -6,9 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "render/measure/method_convergence.h"
-#include "render/measure/pareto.h"
-#include "ui/accuracy_plot.h"
+#include "ui/accuracy_shown.h"
+#include "ui/accuracy_table.h"
 #include "ui/style.h"
 
 namespace crest {
@@ -34,66 +33,9 @@ constexpr const char* explanation_of(Answer answer) {
   return "The integral without the spikes, and the peaks' surfaces";
 }
 
-/// What is shown against one exact answer.
-struct Shown {
-  const AccuracyResults& results;
-  Answer answer;
-  TargetError target;
-  std::vector<MethodLine> lines{};
-  std::vector<WorkPrecision> front{};
-  std::optional<std::size_t> recommended{};
-  std::vector<MethodConvergence> convergences{};  ///< to this answer
-  const Method* present = nullptr;  ///< with which the document renders; null when it is not in the table
-  std::optional<WorkPrecision> present_point{};
-};
-
-/// The lookup takes a millisecond or so, hence once for each setting.
-const Method* method_of(const Rendering& rendering, AccuracyState& state) {
-  if (state.present && state.present->rendering == rendering) return state.present->method;
-  const auto found = std::ranges::find_if(methods(), [&](const Method& method) {
-    return with_method(rendering, method, rendering.step) == rendering;
-  });
-  state.present = {rendering, found == methods().end() ? nullptr : &*found};
-  return state.present->method;
-}
-
-Shown shown_results(const AccuracyResults& results, AccuracyState& state, const Rendering& rendering) {
-  Shown shown{results, state.answer.value_or(answers_of(rendering).front()), state.target};
-  const auto& measured = results.measured;
-  if (measured.empty()) return shown;
-  const ErrorMeasure& measure = *shown.target.measure;
-  shown.lines = method_lines(measured, shown.answer, measure);
-  for (const std::size_t i : pareto_front(measured, shown.answer, measure))
-    shown.front.push_back({measured[i].frame_ms, measure.value(*measured[i].error_against(shown.answer))});
-  shown.recommended = cheapest_under(measured, shown.answer, shown.target);
-  for (MethodConvergence& convergence : convergence_of(measured, shown.target))
-    if (convergence.answer == shown.answer) shown.convergences.push_back(std::move(convergence));
-  shown.present = method_of(rendering, state);
-  for (const MethodLine& line : shown.lines)
-    if (line.method == shown.present) shown.present_point = point_at_step(line, measured, rendering.step);
-  return shown;
-}
-
-/// Steps are powers of two.
-std::string step_text(double step) {
-  const double parts = 1 / step;
-  return step < 1 && parts == std::round(parts) ? fmt::format("1/{}", parts) : short_text(step);
-}
-
-std::string ms_text(double ms) { return ms < 100 ? fmt::format("{:.3g}", ms) : fmt::format("{:.0f}", ms); }
-
-bool apply(Document& document, AccuracyState& state, const Shown& shown, std::size_t index) {
-  const Measurement& m = shown.results.measured[index];
-  const Method* method = find_method(m.method);
-  if (!method) return false;
-  state.answer = shown.answer;  // stays, whatever mode the document takes
-  const Rendering before = document.preset.rendering;
-  document.preset.rendering = with_method(before, *method, m.step);
-  return document.preset.rendering != before;
-}
-
 std::string status_of(const AccuracyResults& results) {
-  const std::string points = fmt::format("{} points", results.measured.size());
+  const std::string points =
+      fmt::format("{} point{}", results.measured.size(), results.measured.size() == 1 ? "" : "s");
   if (results.is_running)
     return fmt::format("{}{}{}", results.measured.empty() || results.is_stale ? "" : points + "   ",
                        results.doing, results.done > 0 ? fmt::format("   {:.0f} %", 100 * results.done) : "");
@@ -160,7 +102,7 @@ void target_row(TargetError& target, WidgetState& widgets) {
   tip("The target. Filled marks meet it; the cheapest of them is recommended.");
 }
 
-void point_tooltip(const Shown& shown, std::size_t index) {
+void point_tooltip(const ShownAccuracy& shown, std::size_t index, float bottom) {
   const Measurement& m = shown.results.measured[index];
   const Method* method = find_method(m.method);
   const ImageError& error = *m.error_against(shown.answer);
@@ -173,12 +115,11 @@ void point_tooltip(const Shown& shown, std::size_t index) {
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopStyleColor();
   };
-  // To the upper right, where work-precision diagrams are empty
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  // Above the diagram, so that it hides none of it
   const float width = column + scaled(250) + 2 * ImGui::GetStyle().WindowPadding.x;
   const float most_x = std::max(ImGui::GetIO().DisplaySize.x - width, 0.0F);
-  ImGui::SetNextWindowPos({std::min(mouse.x + scaled(14), most_x), mouse.y - scaled(14)}, ImGuiCond_Always,
-                          {0, 1});
+  const float x = std::clamp(ImGui::GetIO().MousePos.x - width / 2, 0.0F, most_x);
+  ImGui::SetNextWindowPos({x, std::max(bottom, scaled(250))}, ImGuiCond_Always, {0, 1});
   ImGui::BeginTooltip();
   ImGui::PushStyleColor(ImGuiCol_Text, color_of(*method));
   ImGui::TextUnformatted(method->name.data(), method->name.data() + method->name.size());
@@ -202,7 +143,7 @@ void point_tooltip(const Shown& shown, std::size_t index) {
 }
 
 /// Why there is no point, in the middle of where they would be.
-void hint(ImDrawList& list, const Shown& shown, ImVec2 low, ImVec2 high) {
+void hint(ImDrawList& list, const ShownAccuracy& shown, ImVec2 low, ImVec2 high) {
   const char* text =
       "Measure draws what each method makes of this scene and view:\n"
       "its error against the exact answer, over the time of a frame,\n"
@@ -220,9 +161,8 @@ void hint(ImDrawList& list, const Shown& shown, ImVec2 low, ImVec2 high) {
   list.PopClipRect();
 }
 
-void draw_diagram(ImDrawList& list, const AccuracyPlot& plot, const Shown& shown, std::string_view emphasized,
-                  std::optional<std::size_t> hovered) {
-  const auto& measured = shown.results.measured;
+void draw_diagram(ImDrawList& list, const AccuracyPlot& plot, const ShownAccuracy& shown,
+                  std::string_view emphasized, std::optional<std::size_t> hovered) {
   const float presence = shown.results.is_stale ? 0.35F : 1;
   const double most = shown.target.most;
   list.PushClipRect({plot.low.x, plot.low.y}, {plot.high.x + 1, plot.high.y + 1}, true);
@@ -232,19 +172,17 @@ void draw_diagram(ImDrawList& list, const AccuracyPlot& plot, const Shown& shown
     const bool is_it = line.method->id == emphasized;
     draw_line(list, plot, line, most, presence * (emphasized.empty() || is_it ? 1.0F : 0.45F), is_it);
   }
-  const auto point_of = [&](std::size_t i) {
-    const Measurement& m = measured[i];
-    return WorkPrecision{m.frame_ms, shown.target.measure->value(*m.error_against(shown.answer))};
-  };
   if (shown.recommended && !shown.results.is_stale)
-    draw_ring(list, plot, point_of(*shown.recommended), scaled(10), palette::good, "recommended", false);
+    draw_ring(list, plot, shown.point_of(*shown.recommended), scaled(10), palette::good, "recommended",
+              false);
   if (shown.present_point)
     draw_ring(list, plot, *shown.present_point, scaled(7), IM_COL32_WHITE, "present", true);
-  if (hovered) list.AddCircle(plot.place(point_of(*hovered)), scaled(8), palette::accent, 24, scaled(1.6F));
+  if (hovered)
+    list.AddCircle(plot.place(shown.point_of(*hovered)), scaled(8), palette::accent, 24, scaled(1.6F));
   list.PopClipRect();
 }
 
-bool diagram(Document& document, StudioState& state, const Shown& shown, float height) {
+bool diagram(Document& document, StudioState& state, const ShownAccuracy& shown, float height) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size{std::max(ImGui::GetContentRegionAvail().x, scaled(100)), height};
   const bool clicked = ImGui::InvisibleButton("##accuracy plot", size);
@@ -252,7 +190,7 @@ bool diagram(Document& document, StudioState& state, const Shown& shown, float h
   const AccuracyPlot plot =
       accuracy_plot(shown.lines, shown.target.most, corner, {corner.x + size.x, corner.y + size.y});
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_axes(list, plot);
+  list.AddRectFilled(plot.low, plot.high, palette::plot);
   if (shown.results.is_running) {
     const float done = float(std::clamp(shown.results.done, 0.0, 1.0)) * (plot.high.x - plot.low.x);
     list.AddRectFilled({plot.low.x, plot.low.y - scaled(2)}, {plot.low.x + done, plot.low.y},
@@ -262,6 +200,7 @@ bool diagram(Document& document, StudioState& state, const Shown& shown, float h
     hint(list, shown, plot.low, plot.high);
     return false;
   }
+  draw_axes(list, plot);
   const auto& measured = shown.results.measured;
   for (const MethodLine& line : shown.lines)
     for (const AnswerPoint& p : line.points) {
@@ -275,78 +214,8 @@ bool diagram(Document& document, StudioState& state, const Shown& shown, float h
                hovered ? std::string_view(measured[*hovered].method) : state.accuracy.hovered_method,
                hovered);
   if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  if (hovered && !clicked) point_tooltip(shown, *hovered);
-  return clicked && hovered && apply(document, state.accuracy, shown, *hovered);
-}
-
-/// A method: its order of convergence, and its cheapest setting that meets the target.
-bool method_row(Document& document, StudioState& state, const Shown& shown, const MethodLine& line) {
-  const auto found = std::ranges::find(shown.convergences, line.method->id, &MethodConvergence::method);
-  if (found == shown.convergences.end()) return false;
-  const auto& cheapest = found->cheapest;
-  ImGui::TableNextColumn();
-  const std::string name(line.method->name);
-  const float mark = ImGui::GetFontSize();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool clicked = ImGui::Selectable(("##method " + name).c_str(), shown.present == line.method,
-                                         ImGuiSelectableFlags_SpanAllColumns);
-  note_item(state.widgets, fmt::format("method/{}", line.method->id));
-  if (ImGui::IsItemHovered()) state.accuracy.hovered_method = line.method->id;
-  tip(!cheapest ? "No setting that was measured meets the target"
-      : !found->steady
-          ? "Click to render with its cheapest setting that meets the target.\n* Some finer steps miss "
-            "it again: this one may owe it to chance."
-          : "Click to render with its cheapest setting that meets the target");
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_mark(list, {at.x + mark / 2, at.y + mark / 2}, scaled(4), *line.method, true);
-  list.AddText({at.x + mark + scaled(6), at.y}, palette::text, name.c_str());
-  ImGui::TableNextColumn();
-  ImGui::TextDisabled("%s", found->fit ? fmt::format("{:.2f}", found->fit->order).c_str() : "-");
-  ImGui::TableNextColumn();
-  if (!cheapest) {
-    ImGui::TextDisabled("-");
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("-");
-    return false;
-  }
-  const Measurement& m = shown.results.measured[*cheapest];
-  ImGui::TextDisabled("%s%s", line.method->has_step ? step_text(m.step).c_str() : "-",
-                      found->steady ? "" : " *");
-  ImGui::TableNextColumn();
-  const ImU32 color = shown.recommended == cheapest ? palette::good : palette::text;
-  ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color), "%s", ms_text(m.frame_ms).c_str());
-  return clicked && apply(document, state.accuracy, shown, *cheapest);
-}
-
-void table_head() {
-  static constexpr std::pair<const char*, const char*> columns[] = {
-      {"Method", "A click on a row takes its cheapest setting that meets the target"},
-      {"Order",
-       "Of convergence: the slope of log(RMSE) over log(step), fitted at the finest steps\nwhere the error "
-       "is a power of the step"},
-      {"Step", "Of the cheapest setting that meets the target"},
-      {"ms", "A frame at that step"}};
-  ImGui::TableSetupColumn(columns[0].first, ImGuiTableColumnFlags_WidthStretch);
-  for (std::size_t i = 1; i < std::size(columns); ++i)
-    ImGui::TableSetupColumn(columns[i].first, ImGuiTableColumnFlags_WidthFixed, scaled(54));
-  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  for (const auto& [name, meaning] : columns) {
-    ImGui::TableNextColumn();
-    ImGui::TableHeader(name);
-    tip(meaning);
-  }
-}
-
-bool method_table(Document& document, StudioState& state, const Shown& shown) {
-  state.accuracy.hovered_method = {};
-  if (shown.lines.empty()) return false;
-  constexpr ImGuiTableFlags flags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
-  if (!ImGui::BeginTable("methods", 4, flags)) return false;
-  table_head();
-  bool changed = false;
-  for (const MethodLine& line : shown.lines) changed |= method_row(document, state, shown, line);
-  ImGui::EndTable();
-  return changed;
+  if (hovered && !clicked) point_tooltip(shown, *hovered, corner.y);
+  return clicked && hovered && apply_setting(document, state.accuracy, shown, *hovered);
 }
 
 /// On what it was measured, and what was not.
@@ -377,7 +246,7 @@ bool accuracy_panel(Document& document, StudioState& state, const StudioInputs& 
                     StudioRequests& requests) {
   static const AccuracyResults nothing;
   const AccuracyResults& results = inputs.accuracy ? *inputs.accuracy : nothing;
-  const Shown shown = shown_results(results, state.accuracy, document.preset.rendering);
+  const ShownAccuracy shown = shown_accuracy(results, state.accuracy, document.preset.rendering);
   switch_row(state, inputs, results, requests);
   answer_row(state.accuracy, state.widgets, results, shown.answer);
   target_row(state.accuracy.target, state.widgets);
@@ -387,7 +256,7 @@ bool accuracy_panel(Document& document, StudioState& state, const StudioInputs& 
   const float note = results.measured.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing();
   const float room = ImGui::GetContentRegionAvail().y - table - note - style.ItemSpacing.y;
   bool changed = diagram(document, state, shown, std::max(room, scaled(least_diagram)));
-  changed |= method_table(document, state, shown);
+  changed |= accuracy_table(document, state, shown);
   if (!results.measured.empty()) footnote(results);
   return changed;
 }

@@ -215,7 +215,6 @@ void draw_mark(ImDrawList& list, ImVec2 at, float radius, const Method& method, 
 }
 
 void draw_axes(ImDrawList& list, const AccuracyPlot& plot) {
-  list.AddRectFilled(plot.low, plot.high, palette::plot);
   draw_error_axis(list, plot);
   draw_time_axis(list, plot);
 }

@@ -50,6 +50,7 @@ ImU32 color_of(const Method& method);
 /// A method's mark, filled where it meets the target.
 void draw_mark(ImDrawList& list, ImVec2 at, float radius, const Method& method, bool filled, float alpha = 1);
 
+/// Grid and labels.
 void draw_axes(ImDrawList& list, const AccuracyPlot& plot);
 /// The line that the target draws, and what lies under it.
 void draw_target(ImDrawList& list, const AccuracyPlot& plot, double target);

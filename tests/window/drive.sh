@@ -30,6 +30,13 @@ has_widget() { [ -n "$(value_of "$1")" ]; }
 # place NAME: "x y" of the widget's middle.
 place() { has_widget "$1" || fail "no widget is called $1"; value_of "$1"; }
 
+# click NAME: on the widget's middle. The mouse rests there first: Dear ImGui's tabs want to be hovered for a frame.
+click() {
+  xdotool mousemove $(place "$1")
+  sleep 0.2
+  xdotool click 1
+}
+
 # drag "x y" DX DY STEPS: with the left button, in small steps.
 drag() {
   local x y i

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# smoke.sh PROGRAM PRESET SCREENSHOT: the studio in a real window: open, drag a point, undo, redo, save, quit.
+# smoke.sh PROGRAM PRESET SCREENSHOT: the studio in a real window: open, drag a point, undo, redo, save, measure in the
+# background, take a measured setting, quit while it measures.
 set -eu
 program=$1 preset=$2 screenshot=$3
 source "$(dirname "$0")/drive.sh"
@@ -20,6 +21,15 @@ xdotool key ctrl+s
 wait_for 10 title_is 'preset.json*'
 changed=$(diff "$preset" "$work/preset.json" | grep -c '^>' || true)
 [ "$changed" -eq 1 ] || fail "the drag of one point changed $changed lines of the preset"
+
+click tab/Accuracy
+wait_for 10 has_widget measure
+click measure
+wait_for 60 has_widget measured/xor/1
+click measured/xor/1
+wait_for 10 title_is '\* preset.json*'
+xdotool key ctrl+z
+wait_for 10 title_is 'preset.json*'
 
 xdotool mousemove 860 20
 wait_for 60 is_idle

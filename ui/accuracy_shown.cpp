@@ -1,0 +1,67 @@
+#include "ui/accuracy_shown.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/measure/pareto.h"
+#include "ui/widgets.h"
+
+namespace crest {
+namespace {
+
+/// The lookup takes a millisecond or so, hence once for each setting.
+const Method* method_of(const Rendering& rendering, AccuracyState& state) {
+  if (state.present && state.present->rendering == rendering) return state.present->method;
+  const auto found = std::ranges::find_if(methods(), [&](const Method& method) {
+    return with_method(rendering, method, rendering.step) == rendering;
+  });
+  state.present = {rendering, found == methods().end() ? nullptr : &*found};
+  return state.present->method;
+}
+
+}  // namespace
+
+WorkPrecision ShownAccuracy::point_of(std::size_t measured) const {
+  const Measurement& m = results.measured[measured];
+  return {m.frame_ms, target.measure->value(*m.error_against(answer))};
+}
+
+ShownAccuracy shown_accuracy(const AccuracyResults& results, AccuracyState& state,
+                             const Rendering& rendering) {
+  ShownAccuracy shown{results, state.answer.value_or(answers_of(rendering).front()), state.target};
+  const auto& measured = results.measured;
+  if (measured.empty()) return shown;
+  const ErrorMeasure& measure = *shown.target.measure;
+  shown.lines = method_lines(measured, shown.answer, measure);
+  for (const std::size_t i : pareto_front(measured, shown.answer, measure))
+    shown.front.push_back(shown.point_of(i));
+  shown.recommended = cheapest_under(measured, shown.answer, shown.target);
+  for (MethodConvergence& convergence : convergence_of(measured, shown.target))
+    if (convergence.answer == shown.answer) shown.convergences.push_back(std::move(convergence));
+  shown.present = method_of(rendering, state);
+  for (const MethodLine& line : shown.lines)
+    if (line.method == shown.present) shown.present_point = point_at_step(line, measured, rendering.step);
+  return shown;
+}
+
+std::string step_text(double step) {
+  const double parts = 1 / step;
+  return step < 1 && parts == std::round(parts) ? fmt::format("1/{}", parts) : short_text(step);
+}
+
+std::string ms_text(double ms) { return ms < 100 ? fmt::format("{:.3g}", ms) : fmt::format("{:.0f}", ms); }
+
+bool apply_setting(Document& document, AccuracyState& state, const ShownAccuracy& shown,
+                   std::size_t measured) {
+  const Measurement& m = shown.results.measured[measured];
+  const Method* method = find_method(m.method);
+  if (!method) return false;
+  state.answer = shown.answer;  // stays, whatever mode the document takes
+  const Rendering before = document.preset.rendering;
+  document.preset.rendering = with_method(before, *method, m.step);
+  return document.preset.rendering != before;
+}
+
+}  // namespace crest
