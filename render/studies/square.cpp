@@ -18,18 +18,6 @@ glm::dvec2 turned_back(glm::dvec2 v) {
   return {c * v.x + s * v.y, c * v.y - s * v.x};
 }
 
-std::optional<PlaneRay> ray_at(double angle) {
-  PlaneRay ray{turned_back(eye), turned_back({std::cos(angle), std::sin(angle)}), 0, HUGE_VAL};
-  for (int axis = 0; axis < 2; ++axis) {
-    const double a = (-half - ray.origin[axis]) / ray.direction[axis],
-                 b = (half - ray.origin[axis]) / ray.direction[axis];
-    ray.enter = std::max(ray.enter, std::min(a, b));
-    ray.exit = std::min(ray.exit, std::max(a, b));
-  }
-  if (ray.exit <= ray.enter) return std::nullopt;
-  return ray;
-}
-
 }  // namespace
 
 double Square::value(glm::dvec2 position) const {
@@ -57,11 +45,23 @@ Square curved_square() {
   return make_square([](glm::dvec2 p) { return (1 + std::cos(k * p.x) * std::cos(k * p.y)) / 2; });
 }
 
+std::optional<PlaneRay> fan_ray(double angle) {
+  PlaneRay ray{turned_back(eye), turned_back({std::cos(angle), std::sin(angle)}), 0, HUGE_VAL};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double a = (-half - ray.origin[axis]) / ray.direction[axis],
+                 b = (half - ray.origin[axis]) / ray.direction[axis];
+    ray.enter = std::max(ray.enter, std::min(a, b));
+    ray.exit = std::min(ray.exit, std::max(a, b));
+  }
+  if (ray.exit <= ray.enter) return std::nullopt;
+  return ray;
+}
+
 double fan_angle_degrees(int ray, int rays) { return fan_degrees * (double(ray) / (rays - 1) - 0.5); }
 
 std::vector<std::optional<PlaneRay>> fan(int rays) {
   std::vector<std::optional<PlaneRay>> result;
-  for (int i = 0; i < rays; ++i) result.push_back(ray_at(glm::radians(fan_angle_degrees(i, rays))));
+  for (int i = 0; i < rays; ++i) result.push_back(fan_ray(glm::radians(fan_angle_degrees(i, rays))));
   return result;
 }
 

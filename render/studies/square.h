@@ -36,7 +36,10 @@ struct PlaneRay {
   glm::dvec2 at(double distance) const { return origin + distance * direction; }
 };
 
-/// The paper's eye at (-9, 0), and rays at equal angles over 30 degrees, from below to above: nothing where
+/// The ray from the paper's eye at (-9, 0), so far up from the x-axis; nothing if it misses the square.
+std::optional<PlaneRay> fan_ray(double angle_radians);
+
+/// The paper's rays: at equal angles over 30 degrees, from below to above: nothing where
 /// one misses the square. The paper has 120 rays.
 inline constexpr int paper_rays = 120;
 double fan_angle_degrees(int ray, int rays = paper_rays);
