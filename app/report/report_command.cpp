@@ -24,7 +24,7 @@ struct ReportOptions {
   SceneOptions scene;
   std::string output, size = "256x256", study, budget = "120s", target = to_string(default_target());
   int device = -1;
-  bool json = false;
+  bool json = false, size_is_given = false;
   std::string command;  ///< as typed
 };
 
@@ -155,7 +155,8 @@ void make_report(const ReportOptions& options, std::stop_token stop) {
 void run_study(const ReportOptions& options, std::stop_token stop) {
   StudyOptions study_options;
   study_options.folder = options.output;
-  study_options.size = pixels_of(options);
+  study_options.scene = options.scene;
+  if (options.size_is_given) study_options.size = pixels_of(options);
   study_options.budget_seconds = budget_seconds(options.budget);
   study_options.device = options.device;
   study_options.json = options.json;
@@ -166,6 +167,9 @@ void run_study(const ReportOptions& options, std::stop_token stop) {
 
 /// Makes the folder before any work, and takes it away again if nothing came into it.
 void run_in_folder(const ReportOptions& options) {
+  if (!options.study.empty() && !options.scene.volume.empty() && !find_study(options.study).takes_volume)
+    throw CLI::ValidationError("--study",
+                               fmt::format("{} has scenes of its own: without VOLUME", options.study));
   if (!options.study.empty()) find_study(options.study);
   const fs::path folder = options.output;
   std::error_code fault;
@@ -196,7 +200,7 @@ std::string study_help() {
 void add_report_command(CLI::App& app, Action& chosen) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* command = app.add_subcommand("report", "Measure error against run time, and write a report");
-  CLI::Option* volume = command->add_option("VOLUME", options->scene.volume, "What to render (crest --help)");
+  command->add_option("VOLUME", options->scene.volume, "What to render (crest --help)");
   options->scene.add_to(*command);
   command->add_option("-o,--output", options->output, "The folder of the report")
       ->required()
@@ -213,7 +217,7 @@ void add_report_command(CLI::App& app, Action& chosen) {
                    "or invented")
       ->capture_default_str()
       ->type_name("MEASURE=X");
-  command->add_option("--study", options->study, study_help())->type_name("NAME")->excludes(volume);
+  command->add_option("--study", options->study, study_help())->type_name("NAME");
   command->add_option("--device", options->device,
                       "Graphics device (crest list devices); hardware first by default");
   command->add_flag("--json", options->json, "Print report.json, too");
@@ -221,6 +225,7 @@ void add_report_command(CLI::App& app, Action& chosen) {
     if (options->study.empty() && options->scene.volume.empty())
       throw CLI::RequiredError("VOLUME, or --study");
     options->command = command_text(*command);
+    options->size_is_given = command->count("--size") > 0;
     chosen = [options] { run_in_folder(*options); };
   });
 }

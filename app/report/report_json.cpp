@@ -136,15 +136,6 @@ Json settings_json(const Report& report) {
           {"rounding_rmse", rounding_rmse}};
 }
 
-Json error_scale_json() {
-  const ErrorColors colors = error_colors();
-  return {{"least", least_shown_error},
-          {"most", most_shown_error},
-          {"colors", colors.scale},
-          {"not_compared", colors.not_compared},
-          {"grazing", colors.grazing}};
-}
-
 }  // namespace
 
 Json report_json(const Report& report) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <nlohmann/json.hpp>
 
 namespace crest {
 namespace {
@@ -45,6 +46,15 @@ ErrorColors error_colors() {
   ErrorColors colors{{}, text(not_compared), text(grazing)};
   for (const std::uint32_t rgb : inferno) colors.scale.push_back(text(rgb));
   return colors;
+}
+
+Json error_scale_json() {
+  const ErrorColors colors = error_colors();
+  return {{"least", least_shown_error},
+          {"most", most_shown_error},
+          {"colors", colors.scale},
+          {"not_compared", colors.not_compared},
+          {"grazing", colors.grazing}};
 }
 
 Image error_picture(const Reference& exact, const Image& image) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/report/report.h"
+#include "presets/json_text.h"
 
 namespace crest {
 
@@ -19,6 +20,8 @@ struct ErrorColors {
   std::string not_compared, grazing;
 };
 ErrorColors error_colors();
+/// The scale as web/pictures.js draws it.
+Json error_scale_json();
 
 /// `image` against the exact picture, in those colours.
 Image error_picture(const Reference& exact, const Image& image);

@@ -9,12 +9,15 @@
 #include <string>
 #include <string_view>
 
+#include "app/scene_options.h"
+
 namespace crest {
 
 /// What `crest report --study NAME` says about how to run one.
 struct StudyOptions {
-  std::filesystem::path folder;  ///< where its files go; it is there
-  glm::ivec2 size{256};
+  std::filesystem::path folder;    ///< where its files go; it is there
+  SceneOptions scene;              ///< its volume is empty where none was given
+  std::optional<glm::ivec2> size;  ///< in pixels, where --size was given; else each study's own
   std::optional<double> budget_seconds;
   int device = -1;
   bool json = false;     ///< also print its JSON
@@ -26,6 +29,7 @@ struct StudyOptions {
 struct Study {
   std::string_view name, summary;
   void (*run)(const StudyOptions& options);
+  bool takes_volume = false;  ///< VOLUME and the options of its scene, in place of a scene of its own
 };
 
 /// All studies: a new one is a line here.

@@ -4,6 +4,7 @@
 
 #include "presets/names.h"
 #include "presets/preset_file.h"
+#include "render/studies/segments.h"
 #include "render/volume/builtin.h"
 #include "tests/raycaster/brute_force.h"
 #include "tests/raycaster/fixture.h"
@@ -13,33 +14,6 @@ namespace {
 
 constexpr Placement all_placements[] = {Placement::eye, Placement::entry, Placement::entry_exit,
                                         Placement::entry_exit_corner};
-
-/// The segments that a placement gives a ray, from Listings 1 to 4: lengths from the eye, in double.
-struct Segments {
-  int n = 0;
-  double begin = 0, size = 0;  ///< of the first segment; its sample lies in its middle
-  double end() const { return begin + n * size; }
-};
-
-Segments segments_of(Placement placement, double step, double enter, double exit) {
-  const double length = exit - enter;
-  switch (placement) {
-    case Placement::eye: {
-      const double first = (std::floor(enter / step) + 1) * step;
-      return {std::max(0, int(std::ceil((exit - first) / step))), first - step / 2, step};
-    }
-    case Placement::entry:
-      return {std::max(0, int(std::ceil(length / step - 0.5))), enter, step};
-    case Placement::entry_exit: {
-      const int n = int(std::floor(length / step));
-      return {n, enter, n > 0 ? length / n : 0};
-    }
-    case Placement::entry_exit_corner:
-      break;
-  }
-  const int n = std::max(1, int(std::ceil(length / step)));
-  return {n, enter, length / n};
-}
 
 /// A box of 8 voxels seen along z from `distance` before it, by a single ray.
 constexpr double depth = 8, distance = 10.25;

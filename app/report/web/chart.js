@@ -51,6 +51,26 @@ function fillTable(table, heads, rows) {
                         element("tbody", {}, rows.map((row) => element("tr", {}, row.map(cell("td"))))));
 }
 
+// A command that breaks between its options only, and is copied as it is.
+function command(text) {
+  return element("code", {class: "command"}, text.split(/ (?=-)/).flatMap((part) => [element("span", {class: "word"}, part), " "]));
+}
+
+// The bar of error_scale_json(), into the element with the id "scale".
+function fillScale() {
+  const s = data.error_scale, bar = element("div", {class: "bar", style: `background: linear-gradient(to right, ${s.colors.join(",")})`});
+  const place = (value) => 100 * Math.log10(value / s.least) / Math.log10(s.most / s.least);
+  for (const [value, text] of [[1e-5, "≤ 10⁻⁵"], [1e-4, "10⁻⁴"], [1e-3, "10⁻³"], [1 / 255, "1/255"], [0.1, "0.1"], [1, "1"]])
+    bar.append(element("span", {style: `left: ${place(value)}%`}, text));
+  const swatch = (color, text) => element("span", {}, element("span", {class: "swatch", style: `background: ${color}`}), text);
+  byId("scale").append(bar, swatch(s.not_compared, "nothing shown in either"), swatch(s.grazing, "grazing a surface, compared apart"));
+}
+
+// A picture among data.pictures, by its file name.
+function figure(file, caption) {
+  return element("figure", {}, element("img", {class: "picture", src: data.pictures[file], alt: caption, title: file}), element("figcaption", {}, caption));
+}
+
 const tooltip = byId("tooltip");
 
 function showTooltip(event, content) {

@@ -11,11 +11,6 @@ function pointTitle(point) { return point.step === null ? methodOf[point.method]
 
 function convergenceOf(point, answer) { return methodOf[point.method].convergence.find((c) => c.answer === answer); }
 
-// A command that breaks between its options only, and is copied as it is.
-function command(text) {
-  return element("code", {class: "command"}, text.split(/ (?=-)/).flatMap((part) => [element("span", {class: "word"}, part), " "]));
-}
-
 function errorText(measure, value) {
   return value === null ? "–" : ["share", "missed", "invented"].includes(measure) ? percent(value) : number(value);
 }
@@ -122,19 +117,6 @@ function fillConvergence() {
   }));
   byId("unsteady").hidden = data.methods.every((m) => m.convergence.every((c) => c.steady));
   fillTable(byId("convergence"), ["Method", "against", {number: "Order"}, "fitted on steps", {number: "Target at step"}, {number: "at"}], rows);
-}
-
-function fillScale() {
-  const s = data.error_scale, bar = element("div", {class: "bar", style: `background: linear-gradient(to right, ${s.colors.join(",")})`});
-  const place = (value) => 100 * Math.log10(value / s.least) / Math.log10(s.most / s.least);
-  for (const [value, text] of [[1e-5, "≤ 10⁻⁵"], [1e-4, "10⁻⁴"], [1e-3, "10⁻³"], [1 / 255, "1/255"], [0.1, "0.1"], [1, "1"]])
-    bar.append(element("span", {style: `left: ${place(value)}%`}, text));
-  const swatch = (color, text) => element("span", {}, element("span", {class: "swatch", style: `background: ${color}`}), text);
-  byId("scale").append(bar, swatch(s.not_compared, "nothing shown in either"), swatch(s.grazing, "grazing a surface, compared apart"));
-}
-
-function figure(file, caption) {
-  return element("figure", {}, element("img", {class: "picture", src: data.pictures[file], alt: caption, title: file}), element("figcaption", {}, caption));
 }
 
 function cardOf(point, error) {

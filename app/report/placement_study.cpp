@@ -1,0 +1,121 @@
+#include "app/report/placement_study.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "app/offscreen_context.h"
+#include "app/report/page.h"
+#include "app/report/report_pictures.h"
+#include "presets/atomic_file.h"
+#include "presets/error.h"
+#include "presets/names.h"
+#include "render/volume/load.h"
+
+namespace crest {
+namespace {
+
+constexpr glm::ivec2 paper_size{500, 500}, scene_size{256, 256};
+constexpr int timed_rounds = 15;
+
+std::string utc_now() {
+  using namespace std::chrono;
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", time_point_cast<seconds>(system_clock::now()));
+}
+
+/// Of VOLUME, if there is one.
+PlacementScene border_scene_of(const SceneOptions& options) {
+  if (options.volume.empty()) return builtin_border_scene();
+  const auto volume = std::make_shared<const Volume>(load_volume(options.volume));
+  const Preset preset = options.read_preset(*volume);
+  return border_scene(make_scene(volume, preset), camera_of(preset, *volume));
+}
+
+void study_scenes(PlacementReport& report, Raycaster& raycaster, const StudyOptions& options) {
+  const PlacementScene border = border_scene_of(options.scene), clipped = clipped_plume();
+  const glm::ivec2 size = options.size.value_or(scene_size);
+  const auto add = [&](const PlacementScene& scene, glm::ivec2 pixels) {
+    fmt::print(stderr, "{}\n", scene.title);
+    report.volumes.push_back(study_volume(raycaster, scene, pixels, options.stop));
+  };
+  add(extruded_square(), options.size.value_or(paper_size));
+  report.distance_from_plane = distance_from_plane(report.volumes.front());
+  for (const PlacementScene& scene : {border, whole_plume(), clipped}) add(scene, size);
+  report.clip_against_crop = clip_against_crop(raycaster, clipped, size);
+  fmt::print(stderr, "frame times\n");
+  report.timed_scene = border.id;
+  report.timed_size = size;
+  report.times = time_placements(raycaster, border, report.timed_step, size, timed_rounds, options.stop);
+}
+
+std::vector<std::string> write_pictures(const PlacementReport& report, const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const VolumeStudy& study : report.volumes) {
+    const auto write = [&](const std::string& name, const Image& image) {
+      write_image(folder / name, image, study.scene.scene.rendering.background);
+      names.push_back(name);
+    };
+    const std::string& id = study.scene.id;
+    write(placement_exact_picture_name(id), study.exact.image());
+    for (const VolumePlacement& placement : study.placements) {
+      write(placement_picture_name(id, placement.placement), placement.picture);
+      write(placement_error_picture_name(id, placement.placement),
+            error_picture(study.exact, placement.picture));
+    }
+  }
+  return names;
+}
+
+Json write_study(const PlacementReport& report, const std::filesystem::path& folder) {
+  std::error_code fault;
+  std::filesystem::create_directories(folder / "images", fault);
+  if (fault) throw Error(fmt::format("{}: {}", (folder / "images").string(), fault.message()));
+  const auto pictures = write_pictures(report, folder);
+  const Json json = placement_json(report);
+  write_file_atomically(folder / "placement.json", print_json(json));
+  write_file_atomically(folder / "placement.csv", placement_csv(report));
+  Json page = json;
+  for (const std::string& name : pictures) page["pictures"][name] = data_address(folder / name);
+  write_page(folder / "placement.html", "Where to place the samples", web_file("placement.html"),
+             web_file("placement.js"), page);
+  return json;
+}
+
+}  // namespace
+
+std::string placement_exact_picture_name(const std::string& scene) {
+  return fmt::format("images/{}-exact.png", scene);
+}
+
+std::string placement_picture_name(const std::string& scene, Placement placement) {
+  return fmt::format("images/{}-{}.png", scene, name_of(placement));
+}
+
+std::string placement_error_picture_name(const std::string& scene, Placement placement) {
+  return fmt::format("images/{}-{}-error.png", scene, name_of(placement));
+}
+
+void run_placement_study(const StudyOptions& options) {
+  PlacementReport report;
+  report.command = options.command;
+  report.made_at = utc_now();
+  report.plane = study_plane();
+  const OffscreenContext context(options.device);
+  report.renderer = context.renderer();
+  Raycaster raycaster;
+  try {
+    study_scenes(report, raycaster, options);
+  } catch (const Cancelled&) {
+    throw Error(
+        fmt::format("{}: stopped before the study was done; nothing is written", options.folder.string()));
+  }
+  const Json json = write_study(report, options.folder);
+  if (options.json)
+    fmt::print("{}", print_json(json));
+  else
+    fmt::print("{}\n", (options.folder / "placement.html").string());
+}
+
+}  // namespace crest
