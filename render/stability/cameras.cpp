@@ -92,7 +92,7 @@ std::vector<Row> fields_of_view(Lab& lab) {
   const double height = 24;
   std::vector<Row> rows = rows_of(lab, "a field of view of 0.001 degrees",
                                   looking(middle + height / glm::radians(0.001) * away, middle, 0.001));
-  append(rows, rows_of(lab, "a field of view of 170 degrees", looking(middle + 12.0 * away, middle, 170)));
+  append(rows, rows_of(lab, "a field of view of 170 degrees", looking({8.5, 7, -0.5}, middle, 170)));
   append(rows, rows_of(lab, "a field of view of 170 degrees from inside", looking({5, 6, 7}, middle, 170)));
   return rows;
 }

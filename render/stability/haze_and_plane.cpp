@@ -83,15 +83,9 @@ Scene scene_of(const HazeAndPlane& haze, Mode mode, double step) {
       for (int i = 0; i < haze.grid.dims.x; ++i)
         values.push_back(float(haze.weights.x * i + haze.weights.y * j + haze.weights.z * k));
   VolumePtr volume = make_volume(haze.grid, std::move(values));
-  const ValueRange range = volume->statistics.range;
-  const double h = haze.haze_opacity, v = haze.isovalue();
-  std::vector<ControlPoint> points{point(range.min, h, haze_color), point(range.max, h, haze_color)};
-  if (mode != Mode::dvr_only) {
-    ControlPoint surface = point(v, haze.surface_opacity, surface_color);
-    surface.surface.mode = SurfaceMode::on;  // it may be fainter than the haze
-    points.insert(points.begin() + 1, {point(v, h, haze_color), surface, point(v, h, haze_color)});
-  }
-  return make_scene(std::move(volume), make_tf(std::move(points), haze.unit_distance), mode, step);
+  TransferFunction tf = haze_with_surface(volume->statistics.range, haze.isovalue(), haze.haze_opacity,
+                                          haze.surface_opacity, haze.unit_distance, mode);
+  return make_scene(std::move(volume), std::move(tf), mode, step);
 }
 
 std::vector<glm::dvec4> truth_of(const HazeAndPlane& haze, Mode mode, const Camera& camera, glm::ivec2 size) {

@@ -7,74 +7,12 @@
 #include "presets/names.h"
 #include "render/camera.h"
 #include "render/stability/cases.h"
-#include "render/stability/scenes.h"
+#include "render/stability/views.h"
 
 // Two pictures that differ by nothing but the words in which the scene is told.
 
 namespace crest::stability {
 namespace {
-
-constexpr double bound = 1e-5;
-constexpr const char* quantity = "largest difference of a channel between the two pictures";
-
-struct View {
-  Scene scene;
-  Camera camera;
-};
-
-View plain_view(Mode mode) {
-  const VolumePtr volume = gyroid_in_levels();
-  return {
-      make_scene(volume, haze_and_peaks(volume->statistics.range, 8 * volume->grid.smallest_spacing()), mode),
-      whole_volume_camera(volume->grid)};
-}
-
-/// One row a mode: the worst of the pictures of `changed` views against that of the plain one.
-struct Change {
-  std::string name;
-  std::function<View(const View&)> apply;
-  bool mirrors_picture = false;
-};
-
-Image flipped(Image image) {
-  for (int y = 0; y < image.size.y; ++y)
-    for (int x = 0; x < image.size.x / 2; ++x) std::swap(image.at(x, y), image.at(image.size.x - 1 - x, y));
-  return image;
-}
-
-std::vector<Row> rows_of(Lab& lab, const std::string& name, const std::vector<Change>& changes) {
-  std::vector<Row> rows;
-  for (const Mode mode : tested_modes) {
-    const View plain = plain_view(mode);
-    std::vector<Image> pictures{lab.draw(plain.scene, plain.camera)};
-    Worst worst;
-    for (const Change& change : changes) {
-      const View other = change.apply(plain);
-      const Image image = lab.draw(other.scene, other.camera);
-      pictures.push_back(change.mirrors_picture ? flipped(image) : image);
-      worst.take(largest_difference(pictures.front(), pictures.back()), change.name);
-    }
-    rows.push_back(judge({.name = fmt::format("{}, {}", name, crest::name_of(mode)),
-                          .quantity = quantity,
-                          .bound = bound,
-                          .truth = Truth::invariance},
-                         worst, pictures));
-  }
-  return rows;
-}
-
-/// Values v become scale * v + shift, in the field and in the TF.
-View with_values(const View& view, double scale, double shift) {
-  View changed = view;
-  Volume volume = *view.scene.volume;
-  for (float& value : volume.values) value = float(scale * double(value) + shift);
-  volume.statistics = compute_statistics(volume.values);
-  changed.scene.volume = std::make_shared<const Volume>(std::move(volume));
-  auto& points = changed.scene.tf.points;
-  for (auto& p : points) p.value = scale * p.value + shift;
-  if (scale < 0) std::ranges::reverse(points);
-  return changed;
-}
 
 View with_world(const View& view, double scale, glm::dvec3 shift) {
   View changed = view;
@@ -147,7 +85,7 @@ std::vector<Row> values_scaled_and_shifted(Lab& lab) {
        {std::pair(5.0, 100.0), {-3.0, 50.0}, {1e4, -12345.0}, {1.0 / 1024, 3.0}, {1.0, 5000.0}})
     changes.push_back({fmt::format("{:g} v + {:g}", scale, shift),
                        [=](const View& view) { return with_values(view, scale, shift); }});
-  return rows_of(lab, "values scaled and shifted with the TF", changes);
+  return rows_of_changes(lab, "values scaled and shifted with the TF", plain_view, changes);
 }
 
 std::vector<Row> world_scaled(Lab& lab) {
@@ -157,7 +95,7 @@ std::vector<Row> world_scaled(Lab& lab) {
                        [=](const View& view) { return with_world(view, scale, glm::dvec3(0)); }});
   changes.push_back({"moved by 1000 boxes",
                      [](const View& view) { return with_world(view, 1, glm::dvec3(2000, -1000, 500)); }});
-  return rows_of(lab, "world scaled with the unit distance", changes);
+  return rows_of_changes(lab, "world scaled with the unit distance", plain_view, changes);
 }
 
 std::vector<Row> point_on_a_line(Lab& lab) {
@@ -165,7 +103,7 @@ std::vector<Row> point_on_a_line(Lab& lab) {
   for (const double share : {0.5, 0.1, 0.999})
     changes.push_back({fmt::format("at {:g} of each line", share),
                        [=](const View& view) { return with_inserted_points(view, share); }});
-  return rows_of(lab, "a point inserted on each line", changes);
+  return rows_of_changes(lab, "a point inserted on each line", plain_view, changes);
 }
 
 std::vector<Row> mirrored(Lab& lab) {
@@ -181,7 +119,7 @@ std::vector<Row> mirrored(Lab& lab) {
   changes.push_back({"x, y, z turned to y, z, x", [](const View& view) {
                        return with_axes(view, {1, 2, 0}, {});
                      }});
-  return rows_of(lab, "mirrored volume and camera", changes);
+  return rows_of_changes(lab, "mirrored volume and camera", plain_view, changes);
 }
 
 }  // namespace crest::stability

@@ -4,19 +4,23 @@
 #include <cstring>
 #include <limits>
 
+#include "render/reference/reference.h"
+
 namespace crest::stability {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class Pixels>
-double largest(const Image& a, const Pixels& b, auto&& difference) {
+double largest(const Image& a, const Pixels& b, auto&& difference, const std::vector<bool>& left_out = {}) {
   double largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    if (!left_out.empty() && left_out[i]) continue;
     for (int channel = 0; channel < 4; ++channel) {
       const double d = difference(double(a.pixels[i][channel]), double(b[i][channel]));
       largest = std::max(largest, std::isnan(d) ? infinity : d);
     }
+  }
   return largest;
 }
 
@@ -39,7 +43,29 @@ CountedPicture draw_counted(const Lab& lab, const Scene& scene, const Camera& ca
   return picture;
 }
 
-double largest_difference(const Image& a, const Image& b) { return largest(a, b.pixels, absolute); }
+Deviation deviation_from_exact(const CountedPicture& picture, const Scene& scene, const Camera& camera) {
+  const Reference exact =
+      render_reference(scene, camera, picture.image.size, answers_of(scene.rendering).front());
+  Deviation deviation;
+  for (std::size_t i = 0; i < exact.pixels.size(); ++i) {
+    if (exact.grazing[i]) {
+      ++deviation.left_out;
+      continue;
+    }
+    for (int channel = 0; channel < 4; ++channel) {
+      const double d = std::abs(double(picture.image.pixels[i][channel]) - exact.pixels[i][channel]);
+      deviation.largest = std::max(deviation.largest, std::isnan(d) ? infinity : d);
+    }
+    const int missed = int(exact.crossings[i]) - int(picture.crossings[i]);
+    deviation.missed += std::max(missed, 0);
+    deviation.miscounted += missed < 0 || missed % 2 != 0;
+  }
+  return deviation;
+}
+
+double largest_difference(const Image& a, const Image& b, const std::vector<bool>& left_out) {
+  return largest(a, b.pixels, absolute, left_out);
+}
 
 double largest_difference(const Image& a, const std::vector<glm::dvec4>& truth) {
   return largest(a, truth, absolute);

@@ -24,8 +24,20 @@ struct CountedPicture {
 };
 CountedPicture draw_counted(const Lab& lab, const Scene& scene, const Camera& camera, glm::ivec2 pixels);
 
+/// A picture against the exact one of its scene's mode. Pixels whose rays graze a surface within float
+/// rounding are left out: there a crossing more or less is right.
+struct Deviation {
+  double largest = 0;  ///< error of a channel
+  int missed = 0;      ///< crossings, over all pixels
+  /// Pixels with more crossings than there are, or an odd number too few: what a step passes over it passes
+  /// over in pairs, in and out again.
+  int miscounted = 0;
+  int left_out = 0;
+};
+Deviation deviation_from_exact(const CountedPicture& picture, const Scene& scene, const Camera& camera);
+
 /// The largest difference of a channel; infinite where either is NaN.
-double largest_difference(const Image& a, const Image& b);
+double largest_difference(const Image& a, const Image& b, const std::vector<bool>& left_out = {});
 double largest_difference(const Image& a, const std::vector<glm::dvec4>& truth);
 
 /// The same, divided by the larger of truth's channel and `floor`.

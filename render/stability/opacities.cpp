@@ -4,6 +4,7 @@
 
 #include "presets/names.h"
 #include "render/camera.h"
+#include "render/raycaster/limits.h"
 #include "render/stability/cases.h"
 #include "render/stability/haze_and_plane.h"
 
@@ -74,10 +75,11 @@ std::vector<Row> faint_and_opaque_surfaces(Lab& lab) {
 std::vector<Row> extinction_times_step(Lab& lab) {
   std::vector<Row> rows;
   const VolumePtr constant = make_volume(cube(9), [](glm::dvec3) { return 0.5; });
+  const double step = 1;
   for (const double product : {1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9}) {
     Worst worst;
     std::vector<Image> pictures;
-    const double step = 1, opacity = product < 1 ? 1e-3 : 0.999;
+    const double opacity = product < 1 ? 1e-3 : 0.999;
     const double unit_distance = extinction(opacity, 1) * step / product;
     for (const Mode mode : {Mode::dvr_only, Mode::peak_xor_dvr, Mode::both}) {
       const Scene scene =
@@ -85,17 +87,48 @@ std::vector<Row> extinction_times_step(Lab& lab) {
       pictures.push_back(lab.draw(scene, along_z(constant->grid, 6), small));
       worst.take(largest_relative_difference(pictures.back(), gray(small, -std::expm1(-product * 8 / step))),
                  crest::name_of(mode));
-      // The same behind a surface, whose segment is cut into parts of any length
-      const HazeAndPlane haze{.grid = cube(9), .haze_opacity = opacity, .unit_distance = unit_distance};
-      const Camera camera = whole_volume_camera(haze.grid);
-      pictures.push_back(lab.draw(scene_of(haze, mode, step), camera));
-      worst.take(largest_difference(pictures.back(), truth_of(haze, mode, camera, lab.size)),
+      // The same around a surface, which cuts a step
+      const HazeAndPlane haze{
+          .grid = cube(9), .weights = {0, 0, 1}, .haze_opacity = opacity, .unit_distance = unit_distance};
+      const Camera camera = along_z(haze.grid, 6);
+      pictures.push_back(lab.draw(scene_of(haze, mode, step), camera, small));
+      worst.take(largest_difference(pictures.back(), truth_of(haze, mode, camera, small)),
                  fmt::format("{}, with a surface", crest::name_of(mode)));
     }
     rows.push_back(judge({.name = fmt::format("extinction times step of {:g}", product),
                           .quantity = "error of a channel: relative of haze alone, absolute with a surface",
                           .bound = 1e-5},
                          worst, pictures));
+  }
+  return rows;
+}
+
+std::vector<Row> surface_in_dense_haze(Lab& lab) {
+  // A surface one mean free path behind the face at which the rays enter: it is seen through 1/e of haze
+  constexpr glm::ivec2 many{256, 256};  // the worst is at few pixels
+  std::vector<Row> rows;
+  for (const double extinction_per_voxel : {1.0, 1e1, 1e2, 1e3, 1e4}) {
+    HazeAndPlane haze{.grid = cube(9), .weights = {0, 0, 1}, .haze_opacity = 0.999};
+    haze.isovalue_share = 1 / (8 * extinction_per_voxel);
+    haze.unit_distance = extinction(haze.haze_opacity, 1) / extinction_per_voxel;
+    Camera camera = whole_volume_camera(haze.grid);
+    camera.eye.z = 2 * camera.target.z - camera.eye.z;  // from below
+    Worst worst;
+    std::vector<Image> pictures;
+    for (const Mode mode : {Mode::peak_xor_dvr, Mode::both}) {
+      pictures.push_back(lab.draw(scene_of(haze, mode), camera, many));
+      worst.take(largest_difference(pictures.back(), truth_of(haze, mode, camera, many)),
+                 crest::name_of(mode));
+    }
+    Claim claim{.name = fmt::format("a surface one mean free path inside haze of extinction {:g} a voxel",
+                                    extinction_per_voxel),
+                .quantity = "largest error of a channel",
+                .bound = 1e-3};
+    const Scene scene = scene_of(haze, Mode::both);
+    if (haze_rounding(scene) > claim.bound)
+      claim.limit = {haze_rounding(scene), "positions are rounded to 2^-24 of the box's diagonal",
+                     scene_warnings(scene, camera, many)};
+    rows.push_back(judge(std::move(claim), worst, pictures));
   }
   return rows;
 }

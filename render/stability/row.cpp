@@ -12,11 +12,11 @@ bool is_finite(const glm::vec4& p) {
 }
 
 Verdict verdict_of(const Row& row) {
-  const bool drawn_rightly = row.claim.empty == (row.least_covered == 0);
+  const bool drawn_rightly = row.claim.empty == (row.covered == 0);
   if (row.not_finite > 0 || !drawn_rightly) return Verdict::fail;
   if (row.measured <= row.claim.bound) return Verdict::pass;
   const bool within_limit = row.claim.limit && row.measured <= row.claim.limit->bound;
-  return within_limit ? Verdict::float_limit : Verdict::fail;
+  return within_limit ? Verdict::limited : Verdict::fail;
 }
 
 }  // namespace
@@ -37,8 +37,8 @@ std::string_view name_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::pass:
       return "pass";
-    case Verdict::float_limit:
-      return "limit of 32-bit float";
+    case Verdict::limited:
+      return "limited";
     case Verdict::fail:
       return "FAIL";
   }
@@ -58,11 +58,10 @@ Row judge(Claim claim, Worst measured, std::span<const Image> pictures) {
   row.measured = measured.value;
   row.at = std::move(measured.at);
   row.picture = pictures.back();
-  row.least_covered = row.claim.empty ? 0 : std::numeric_limits<int>::max();
+  row.covered = row.claim.empty ? 0 : std::numeric_limits<int>::max();
   for (const Image& image : pictures) {
-    const auto covered = int(std::ranges::count_if(image.pixels, [](const auto& p) { return p.a > 0; }));
-    row.least_covered =
-        row.claim.empty ? std::max(row.least_covered, covered) : std::min(row.least_covered, covered);
+    const auto filled = int(std::ranges::count_if(image.pixels, [](const auto& p) { return p.a > 0; }));
+    row.covered = row.claim.empty ? std::max(row.covered, filled) : std::min(row.covered, filled);
     row.not_finite += int(std::ranges::count_if(image.pixels, [](const auto& p) { return !is_finite(p); }));
   }
   row.verdict = verdict_of(row);

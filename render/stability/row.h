@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "render/image.h"
 
@@ -16,13 +17,15 @@ enum class Truth {
 };
 std::string_view name_of(Truth truth);  ///< "closed form", "exact reference", "invariance"
 
-enum class Verdict { pass, float_limit, fail };
-std::string_view name_of(Verdict verdict);  ///< "pass", "limit of 32-bit float", "FAIL"
+enum class Verdict { pass, limited, fail };
+std::string_view name_of(Verdict verdict);  ///< "pass", "limited", "FAIL"
 
-/// Where 32-bit float cannot keep a bound: what was measured that it can keep, and why.
-struct FloatLimit {
+/// Where a bound cannot be kept: the larger one that is kept instead, why, and what the studio tells the
+/// person who has such a scene.
+struct Limit {
   double bound = 0;
   std::string why;
+  std::vector<std::string> warnings;
 };
 
 /// What a row says before it is measured.
@@ -31,7 +34,7 @@ struct Claim {
   std::string quantity;  ///< what is compared, with its unit
   double bound = 0;      ///< the largest that `measured` may be
   Truth truth = Truth::closed_form;
-  std::optional<FloatLimit> limit = {};
+  std::optional<Limit> limit = {};
   bool empty = false;  ///< the true picture is empty
 };
 
@@ -42,9 +45,10 @@ struct Row {
   double measured = 0;
   std::string at;      ///< the parameter at which it was measured, where it is the worst of several; or empty
   int not_finite = 0;  ///< pixels with a NaN or an Inf, in all of its pictures
-  int least_covered =
-      0;  ///< pixels with alpha > 0 in the emptiest of its pictures; the fullest, if they must be empty
-  Image picture;  ///< one of them, for the eye
+  /// Pixels with alpha > 0 in the emptiest of its pictures; in the fullest, if they must be empty.
+  int covered = 0;
+  int left_out = 0;  ///< pixels that were not compared, since their rays nearly graze a surface
+  Image picture;     ///< one of them, for the eye
   Verdict verdict = Verdict::fail;
 };
 

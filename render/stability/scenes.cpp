@@ -84,9 +84,23 @@ TransferFunction haze_and_peaks(ValueRange range, double unit_distance) {
   const glm::dvec3 blue(0.2, 0.4, 1), red(1, 0.2, 0.1), yellow(1, 0.9, 0.3);
   return remap_values(
       make_tf({point(0, 0.02, blue), point(0.3, 0.1, blue), point(0.4, 0.5, red), point(0.5, 0.1, blue),
-               point(0.7, 0.1, blue), point(0.705, 0.4, yellow), point(0.71, 0.1, blue), point(1, 0.2, blue)},
+               point(0.7, 0.1, blue), point(0.7, 0.4, yellow), point(0.7, 0.1, blue), point(1, 0.2, blue)},
               unit_distance),
       {0, 1}, range);
+}
+
+TransferFunction haze_with_surface(ValueRange range, double isovalue, double haze_opacity,
+                                   double surface_opacity, double unit_distance, Mode mode) {
+  const glm::dvec3 blue(0, 0, 1), red(1, 0, 0);
+  const ControlPoint haze = point(isovalue, haze_opacity, blue);
+  std::vector<ControlPoint> points{point(range.min, haze_opacity, blue),
+                                   point(range.max, haze_opacity, blue)};
+  if (mode != Mode::dvr_only) {
+    ControlPoint surface = point(isovalue, surface_opacity, red);
+    surface.surface.mode = SurfaceMode::on;  // it may be fainter than the haze
+    points.insert(points.begin() + 1, {haze, surface, haze});
+  }
+  return make_tf(std::move(points), unit_distance);
 }
 
 }  // namespace crest::stability
