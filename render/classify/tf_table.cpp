@@ -67,11 +67,14 @@ ValueRange changing_range(const std::vector<Piece>& pieces) {
 /// The range of a table: in float32, and of a width that can be divided by.
 ValueRange table_range(const std::vector<Piece>& pieces) {
   ValueRange range = changing_range(pieces);
-  range = {float_below(range.min), float_above(range.max)};
-  if (range.width() > 0) return range;
+  if (range.width() > 0) return {float_below(range.min), float_above(range.max)};
+  // No change, or a single step: it lies between the floats around it, and the table is exact
   const double size = std::max(std::abs(range.min), pieces.back().to - pieces.front().from);
-  range.max = float_above(range.min + std::max(1e-6 * size, double(std::numeric_limits<float>::min())));
-  return range;
+  const float end = float_above(range.max);
+  const double least_width = std::max(1e-7 * size, double(std::numeric_limits<float>::min()));
+  return {std::min(std::nextafter(end, -std::numeric_limits<float>::infinity()),
+                   float_below(double(end) - least_width)),
+          end};
 }
 
 /// Near one end of a piece: the opacity of one smallest spacing, and how it goes with the TF's value.
@@ -177,6 +180,7 @@ TfTableSize tf_table_size(const TransferFunction& tf, ValueRange field, double s
   const std::vector<Piece> pieces = pieces_of(tf, field);
   const Demands demands = demands_of(pieces, smallest_spacing / tf.unit_distance, longest_ray, limits);
   const double width = table_range(pieces).width();
+  if (!(changing_range(pieces).width() > 0)) return {};
   double entry = std::min(width, demands.entry_width);
   if (demands.largest_step > 0) entry = 0;
   for (int i = 0; i < 2; ++i)  // first as if each were alone in an entry, then with those that are not
