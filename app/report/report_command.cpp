@@ -7,7 +7,7 @@
 
 #include "app/commands.h"
 #include "app/offscreen_context.h"
-#include "app/report/interrupt.h"
+#include "app/progress.h"
 #include "app/report/progress_line.h"
 #include "app/report/report_files.h"
 #include "app/report/studies.h"
