@@ -145,7 +145,7 @@ void draw_axes(ImDrawList& list, const Plot& plot) {
 }
 
 void draw_histogram(ImDrawList& list, const Plot& plot, const HistogramCache& histogram, HistogramScale scale,
-                    LinearMap to_domain) {
+                    ValueMap to_domain) {
   if (scale == HistogramScale::off || histogram.counts.empty() || histogram.largest == 0) return;
   const auto share = [&](std::uint64_t count) {
     const double n = double(count), most = double(histogram.largest);

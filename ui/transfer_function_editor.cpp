@@ -16,13 +16,13 @@ namespace {
 
 ValueRange volume_range(const Volume* volume) { return volume ? volume->statistics.range : ValueRange{0, 1}; }
 
-LinearMap data_to_domain(const TransferFunction& tf, ValueRange data) {
+ValueMap data_to_domain(const TransferFunction& tf, ValueRange data) {
   if (tf.domain == Domain::data) return {};
   const double width = data.width() > 0 ? data.width() : 1;
   return {-data.min / width, 1 / width};
 }
 
-ValueRange in_data(LinearMap to_domain, ValueRange visible) {
+ValueRange in_data(ValueMap to_domain, ValueRange visible) {
   return {(visible.min - to_domain.offset) / to_domain.scale,
           (visible.max - to_domain.offset) / to_domain.scale};
 }
@@ -44,7 +44,7 @@ void draw_plot(const TransferFunction& tf, EditorState& editor, const Plot& plot
   draw_axes(list, plot);
   list.PushClipRect(plot.low, plot.high, true);
   if (inputs.volume && editor.histogram_scale != HistogramScale::off) {
-    const LinearMap to_domain = data_to_domain(tf, inputs.volume->statistics.range);
+    const ValueMap to_domain = data_to_domain(tf, inputs.volume->statistics.range);
     update_histogram(editor.histogram, *inputs.volume, in_data(to_domain, plot.axis.visible));
     draw_histogram(list, plot, editor.histogram, editor.histogram_scale, to_domain);
   }
