@@ -79,7 +79,7 @@ std::string why_left_out(const Method& method, const Scene& scene) {
   const bool is_clear = std::ranges::none_of(scene.tf.points, [](const auto& p) { return p.opacity > 0; });
   if (mode == Mode::dvr_only && is_clear) return "no point of the transfer function has an opacity";
   if (mode == Mode::dvr_only) return "";
-  const auto classification = classify(scene.tf, scene.volume->statistics.range);
+  const auto classification = classify(scene.tf, surface_range(scene));
   return classification.surfaces.empty() ? "no surface lies in the volume's range" : "";
 }
 

@@ -8,6 +8,7 @@
 #include "render/classify/classification.h"
 #include "render/classify/tf_table.h"
 #include "render/raycaster/features.h"
+#include "render/volume/filter.h"
 #include "render/volume/volume.h"
 
 namespace crest {
@@ -61,8 +62,9 @@ Need find_need(const Volume& volume, const Classification& classification, const
 /// What a device holds for it.
 std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Classification& classification);
 
-/// The field's values at two places no further apart than `length`, in world units, differ by no more than
+/// A field's values at two places no further apart than `length`, in world units, differ by no more than
 /// this on any graphics device.
-double largest_change(const Grid& grid, const VolumeStatistics& statistics, double length);
+double largest_change(const Grid& grid, const VolumeStatistics& statistics, const FieldFilter& filter,
+                      double length);
 
 }  // namespace crest

@@ -38,9 +38,9 @@ int interval_total(Sampling s) { return s.n; }
 void march(Ray ray, Sampling s, int first, int last) {
   for (int i = first; i < last; ++i) {
     float t = middle_at(s, i);
-    vec4 material = classify(field(at(ray, t)));
+    vec4 material = classify(dvr_field(at(ray, t)));
     COUNT_DVR_SAMPLE;
-    composite(material.rgb * LIGHT(t), opacity_of(material.a * s.dt));
+    composite(material.rgb * DVR_LIGHT(t), opacity_of(material.a * s.dt));
     if (TERMINATED) break;
   }
 }
