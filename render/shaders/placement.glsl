@@ -36,8 +36,9 @@ Sampling sample_span(Ray ray, Span span) {
 // The i-th segment's middle. For i < n it lies in the span.
 float middle_at(Sampling s, int i) { return s.begin + (float(i) + 0.5) * s.dt; }
 
-// Where the i-th segment begins; for i = n, where the last one ends.
+// Where the i-th segment begins; for i = n, where the last one ends. Its size.
 float boundary_at(Sampling s, int i) { return s.begin + float(i) * s.dt; }
+float size_at(Sampling s, int i) { return s.dt; }
 
 // The i-th sample; before the first is the entry, after the last the exit.
 float sample_at(Sampling s, int i) { return i < 0 ? s.span.enter : i < s.n ? middle_at(s, i) : s.span.exit; }

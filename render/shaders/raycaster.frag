@@ -1,6 +1,9 @@
 // The single-pass ray caster: uniform steps, post-classification, peak finding (Knoll et al. 2009, appendix).
 // DVR, PEAKS, SPLIT, ... are 0 or 1, from what the scene needs (raycaster/features.h).
 
+// Whether a march may begin or end within a ray.
+#define RUNS LONG_RAYS
+
 #include "ray.glsl"
 #include "statistics.glsl"
 #include "field.glsl"
