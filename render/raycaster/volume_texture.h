@@ -14,4 +14,7 @@ gl::TextureHandle upload_volume(const Volume& volume, const StoredUnits& units);
 /// Throws Error as above.
 gl::TextureHandle upload_empty_cells(const Volume& volume, int radius);
 
+/// A texel (R8UI) for each macrocell.
+gl::TextureHandle upload_macrocells(glm::ivec3 dims, const std::vector<std::uint8_t>& values);
+
 }  // namespace crest
