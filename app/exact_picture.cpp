@@ -24,6 +24,7 @@ constexpr std::pair<const char*, const char*> without_part[] = {
     {"max_peaks", "every crossing is composited"},
     {"peak_bins", "crossings are solved for, not looked up"},
     {"shading", "an exact answer has none"},
+    {"gradient", "an exact answer has no shading"},
     {"early_termination", "every ray is solved to its end"},
     {"frames", "an exact answer is rendered once"}};
 

@@ -15,10 +15,13 @@ constexpr Method table[] = {
     {"dvr-entry-exit", "DVR, equal steps, rounded down", "mode=DVR_ONLY placement=entry_exit"},
     {"dvr-entry", "DVR, steps counted from the entry", "mode=DVR_ONLY placement=entry"},
     {"dvr-eye", "DVR, steps counted from the eye", "mode=DVR_ONLY placement=eye"},
+    {"dvr-linear-exact", "DVR, trilinear in float", "mode=DVR_ONLY filter=linear_exact"},
     {"peaks", "Peaks alone, divided steps", "mode=PEAK_ONLY peak_form=split"},
     {"peaks-paper", "Peaks alone, as published", "mode=PEAK_ONLY peak_form=paper"},
     {"xor", "Peaks and base TF, divided steps", "mode=PEAK_XOR_DVR peak_form=split"},
     {"xor-paper", "Peaks or samples, as published", "mode=PEAK_XOR_DVR peak_form=paper"},
+    {"xor-linear-exact", "Peaks and base TF, trilinear in float",
+     "mode=PEAK_XOR_DVR peak_form=split filter=linear_exact root_filter=linear_exact"},
     {"both", "Peaks and DVR, divided steps", "mode=both peak_form=split"},
     {"both-paper", "Peaks and DVR, as published", "mode=both peak_form=paper"},
 };
@@ -31,6 +34,13 @@ std::vector<std::string_view> words_of(std::string_view text) {
     text.remove_prefix(std::min(length + 1, text.size()));
   }
   return words;
+}
+
+/// Whether a method sets a filter whose exact answer is not that of the scene's own.
+bool has_other_field(const Method& method, const Rendering& scene) {
+  const Rendering own = measured_rendering(method, scene.step, scene);
+  return std::ranges::any_of(
+      answers_of(own), [&](Answer answer) { return filters_of(answer, own) != filters_of(answer, scene); });
 }
 
 }  // namespace
@@ -54,6 +64,10 @@ Rendering measured_rendering(const Method& method, double step, const Rendering&
   Preset preset;
   preset.rendering.clip_box = scene.clip_box;
   preset.rendering.background = scene.background;
+  preset.rendering.filter = scene.filter;
+  preset.rendering.root_filter = scene.root_filter;
+  preset.rendering.bc_b = scene.bc_b;
+  preset.rendering.bc_c = scene.bc_c;
   preset.rendering.max_peaks = scene.max_peaks;
   preset.rendering.peak_bins = scene.peak_bins;
   preset.transfer_function = default_transfer_function();  // a preset has one
@@ -64,6 +78,7 @@ Rendering measured_rendering(const Method& method, double step, const Rendering&
 Rendering with_method(const Rendering& scene, const Method& method, double step) {
   Rendering rendering = measured_rendering(method, step, scene);
   rendering.shading = scene.shading;
+  rendering.gradient = scene.gradient;
   rendering.early_termination = scene.early_termination;
   rendering.unknown = scene.unknown;
   if (!method.has_step) rendering.step = scene.step;
@@ -76,6 +91,8 @@ std::vector<Answer> answers_of(const Method& method) {
 
 std::string why_left_out(const Method& method, const Scene& scene) {
   const Mode mode = measured_rendering(method, scene.rendering.step, scene.rendering).mode;
+  if (has_other_field(method, scene.rendering))
+    return "the scene's filters make another field, of which its exact answer is not";
   const bool is_clear = std::ranges::none_of(scene.tf.points, [](const auto& p) { return p.opacity > 0; });
   if (mode == Mode::dvr_only && is_clear) return "no point of the transfer function has an opacity";
   if (mode == Mode::dvr_only) return "";
