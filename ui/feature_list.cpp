@@ -72,7 +72,7 @@ void feature_list(StudioState& state, const StudioInputs& inputs, Mode preset_mo
   const bool open = ImGui::CollapsingHeader("What the picture is made of");
   note_item(state.widgets, "features");
   tip("What this scene needs of the renderer, what the graphics device holds for it,\nand what was left out, "
-      "since the picture is the same without it");
+      "and why");
   if (!open) return;
   const Mode listed = listed_mode(state.views, preset_mode);
   mode_row(state, listed);

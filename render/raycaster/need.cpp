@@ -190,11 +190,10 @@ void Decision::decide_peaks() {
   const std::string few = fmt::format("{} surfaces can be tested all at once", count);
   decide(&Features::peaks, none);
   decide(&Features::peak_table, unless_none(needs_table ? "" : single.empty() ? few : single), f.peaks);
-  decide(&Features::peak_list, unless_none(needs_table ? "the peak table has them" : single),
+  decide(&Features::peak_list, unless_none(f.peak_table ? "the peak table has them" : single),
          f.peaks && !f.peak_table);
   if (f.peak_table) {
     const int most = s_.rendering.peak_bins;
-    need_.features.peak_list = false;
     need_.peak_bins = forced_.large_tables ? most : separating_bins(s_.surfaces(), s_.field(), most);
   }
   decide(&Features::several_peaks, unless_none(s_.why_no_several_peaks(need_.peak_bins)), f.peaks);
