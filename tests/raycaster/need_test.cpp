@@ -52,6 +52,37 @@ TEST(Need, EveryFeatureIsListedOnceAndWithAReason) {
       }
 }
 
+/// Whether they are the same to every value of the field: at their points, and from both sides.
+bool are_same_in(ValueRange field, const TransferFunction& a, const TransferFunction& b) {
+  std::vector<double> values{field.min, field.max};
+  for (const ControlPoint& p : a.points)
+    if (p.value > field.min && p.value < field.max) values.push_back(p.value);
+  return std::ranges::all_of(values, [&](double value) {
+    const bool left =
+        value == field.min || evaluate_left(a, value).opacity == evaluate_left(b, value).opacity;
+    const bool right =
+        value == field.max || evaluate_right(a, value).opacity == evaluate_right(b, value).opacity;
+    return left && right;
+  });
+}
+
+// Spikes are taken out of the TF wherever the field reaches one, be it only its flank.
+TEST(Need, TheBaseTfIsLeftOutWhereItIsTheSame) {
+  int left_out = 0;
+  for (std::uint64_t seed = 0; seed < 6000; ++seed) {
+    const View view = random_view(seed);
+    const Need need = need_of(view);
+    const Rendering& rendering = view.scene.rendering;
+    if (rendering.mode != Mode::peak_xor_dvr || rendering.peak_form != PeakForm::split) continue;
+    if (!need.features.dvr || need.features.base_tf) continue;
+    const ValueRange field = view.scene.volume->statistics.range;
+    const Classification classification = classify(view.scene.tf, field);
+    EXPECT_TRUE(are_same_in(field, classification.tf, classification.base)) << "seed " << seed;
+    ++left_out;
+  }
+  EXPECT_GT(left_out, 100);
+}
+
 // What is left out of the ray caster is not in the exact answer either: no surface, or nothing beside
 // surfaces.
 TEST(Need, WhatIsLeftOutIsNotInTheExactAnswer) {
@@ -70,6 +101,9 @@ TEST(Need, WhatIsLeftOutIsNotInTheExactAnswer) {
     const Image nothing{exact.size, std::vector<glm::vec4>(exact.pixels.size())};
     const Image surfaces = answer == Answer::integral ? nothing : solve(Answer::crossings).image();
     EXPECT_LT(dvr ? 0 : largest_difference(exact.image(), surfaces), 1e-6) << "seed " << seed;
+    const double darkest = std::ranges::max(exact.pixels, {}, &glm::dvec4::a).a;
+    const bool rays_end = need.features.early_termination || view.scene.rendering.early_termination == 0;
+    EXPECT_LE(darkest, 1e-6 + (rays_end ? 1 : 1 - view.scene.rendering.early_termination)) << "seed " << seed;
     without_dvr += peaks && !dvr && answer != Answer::crossings;
     without_peaks += dvr && !peaks && answer != Answer::integral;
     without_both += !dvr && !peaks;
@@ -92,9 +126,17 @@ class NeedPictures : public RaycasterTest {
       const View view = random_view(seed);
       const Image picture = render(view.scene, view.camera, size);
       seen += shows_anything(picture);
+      expect_no_ray_ended(view, picture);
       then(view, picture);
     }
     EXPECT_GT(2 * seen, last - first);
+  }
+
+  /// Where early termination was asked for and left out, no ray gets so dark.
+  void expect_no_ray_ended(const View& view, const Image& picture) {
+    const double residual = view.scene.rendering.early_termination;
+    if (residual == 0 || need_of(view).features.early_termination) return;
+    for (const glm::vec4& pixel : picture.pixels) ASSERT_LE(pixel.a, 1 - residual);
   }
 
   /// The picture with something forced in, where that makes a difference to the ray caster at all.
@@ -109,6 +151,28 @@ class NeedPictures : public RaycasterTest {
     raycaster.force({});
   }
 };
+
+// However near to each other two surfaces are, a step that reaches both meets both.
+TEST_F(NeedPictures, HaveBothSurfacesThatAStepReaches) {
+  const Grid grid{glm::ivec3(9), glm::dvec3(1), glm::dvec3(0)};
+  const auto volume = make_volume(grid, [](glm::dvec3 p) { return p.z; });
+  int left_out = 0, in = 0;
+  for (const Placement placement : {Placement::entry_exit_corner, Placement::entry_exit})
+    for (const double gap : {0.01, 0.2, 0.5, 0.8, 1.05, 1.5, 2.2, 2.5}) {
+      View view{
+          {volume, make_tf({point(0, 0), point(4, 0.5), point(4, 0), point(4 + gap, 0.5), point(8, 0)}), {}},
+          along_z(grid, 8)};
+      for (ControlPoint& p : view.scene.tf.points)
+        p.surface.mode = p.opacity > 0 ? SurfaceMode::on : SurfaceMode::off;
+      view.scene.rendering.mode = Mode::peak_only;
+      view.scene.rendering.step = 0.95;
+      view.scene.rendering.placement = placement;
+      (need_of(view).features.several_peaks ? in : left_out) += 1;
+      for (const glm::vec4& pixel : render(view.scene, view.camera, {4, 4}).pixels)
+        ASSERT_NEAR(pixel.a, 0.75, 1e-6) << gap;
+    }
+  EXPECT_GT(std::min(in, left_out), 3);
+}
 
 // A shader variant takes about a fifth of a second to compile: that is what limits the number of views.
 TEST_F(NeedPictures, AreTheSameWithEachFeatureForcedIn) {
