@@ -104,6 +104,17 @@ TEST_F(ReportTest, ItsCommandRendersThePictureThatWasMeasured) {
   EXPECT_EQ(compared, 4u);
 }
 
+TEST_F(ReportTest, PaysForAnExactAnswerOnce) {
+  const std::string cache = "export XDG_CACHE_HOME=" + path("cache") + ";";
+  ASSERT_EQ(run(report_to("out") + Words{"--budget", "3s"}, cache).exit_code, 0);
+  const Words render{
+      "render",   "builtin:sphere?n=12", "--preset", "onion",          "--size", "24x24", "--json",
+      "--engine", "reference",           "-o",       path("exact.png")};
+  const Outcome exact = run(render, cache);
+  ASSERT_EQ(exact.exit_code, 0) << exact.err;
+  EXPECT_EQ(json::parse(exact.out)["from_cache"], true);
+}
+
 TEST_F(ReportTest, StoppedItKeepsWhatWasMeasured) {
   const Words words{"report",  "builtin:plume?n=48", "--preset", "dirac-shell", "--size",
                     "400x400", "--budget",           "none",     "-o",          path("out")};
