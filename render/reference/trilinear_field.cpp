@@ -82,6 +82,8 @@ void solve_trilinear(RaySolver<Real>& solver, const Volume& volume, const PixelR
   const Real place_rounding =
       std::numeric_limits<Real>::epsilon() * Real(4 * std::max({dims.x, dims.y, dims.z}) + 16);
   const Real float_place_rounding = Real(ray.float_rounding.x + ray.float_rounding.y + ray.float_rounding.z);
+  // A field far from zero is held less a base (raycaster/stored_units.h)
+  const Real largest_held = Real(2 * volume.statistics.range.width());
 
   solver.begin_span();
   walk_cells(dims - 1, *ray.inside, [&](const CellVisit<Real>& at) {
@@ -93,8 +95,8 @@ void solve_trilinear(RaySolver<Real>& solver, const Volume& volume, const PixelR
     }
     const Real low = Real(corners.low), high = Real(corners.high), range = high - low;
     // A float field value: four roundings of it, and its change over those of the position.
-    const Real float_rounding =
-        Real(0x1p-22) * std::max(std::abs(low), std::abs(high)) + range * float_place_rounding;
+    const Real held = std::min(std::max(std::abs(low), std::abs(high)), largest_held);
+    const Real float_rounding = Real(0x1p-22) * held + range * float_place_rounding;
     if (!solve_plain_cell(solver, low, high, float_rounding, at.length))
       solver.add(FieldPiece<Real, cell_degree>{.offset = Real(corners.value[0]),
                                                .f = field_along(corners, at),
