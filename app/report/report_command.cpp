@@ -14,6 +14,7 @@
 #include "app/report/studies.h"
 #include "app/scene_options.h"
 #include "presets/error.h"
+#include "presets/preset_file.h"
 #include "render/volume/load.h"
 
 namespace crest {
@@ -84,9 +85,10 @@ std::string command_text(const CLI::App& command) {
   return text;
 }
 
-/// The command that renders with a method what the report is of.
-std::string render_command(const SceneOptions& scene, const std::string& size, const Method& method,
-                           double step) {
+/// The command that renders what the report is of, with these settings. `written` are those that it would
+/// have otherwise.
+std::string render_command(const SceneOptions& scene, const std::string& size, const Rendering& written,
+                           const Rendering& settings) {
   std::string text = "crest render " + shell_word(scene.volume);
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) text += fmt::format(" {} {}", option, shell_word(value));
@@ -97,9 +99,7 @@ std::string render_command(const SceneOptions& scene, const std::string& size, c
   add("--up", scene.up);
   add("--fov", scene.fov);
   for (const std::string& assignment : scene.sets) add("--set", assignment);
-  for (const std::string& assignment : assignments_of(method, step)) add("--set", assignment);
-  add("--set", "rendering.shading=none");
-  add("--set", "rendering.early_termination=0");
+  for (const std::string& assignment : assignments_between(written, settings)) add("--set", assignment);
   add("--size", size);
   return text + (scene.fit_range ? " --fit-range" : "") + " -o picture.png";
 }
@@ -117,9 +117,11 @@ Report subject_of(const ReportOptions& options) {
   report.subject.volume = options.scene.volume;
   report.subject.preset = options.scene.preset;
   report.subject.made_at = utc_now();
-  report.subject.render_command = [scene = options.scene, size = options.size](const Method& method,
-                                                                               double step) {
-    return render_command(scene, size, method, step);
+  SceneOptions plain = options.scene;  // what a method decides need not be said
+  plain.mode = plain.engine = plain.step = "";
+  report.subject.render_command = [plain, written = plain.read_preset(*volume).rendering, size = options.size,
+                                   own = report.scene.rendering](const Method& method, double step) {
+    return render_command(plain, size, written, measured_rendering(method, step, own));
   };
   return report;
 }
