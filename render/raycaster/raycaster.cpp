@@ -11,6 +11,7 @@
 #include "presets/error.h"
 #include "render/camera.h"
 #include "render/gl/program.h"
+#include "render/raycaster/macrocell_store.h"
 #include "render/raycaster/table_textures.h"
 #include "render/raycaster/volume_texture.h"
 #include "render/volume/clip.h"
@@ -18,7 +19,14 @@
 namespace crest {
 namespace {
 
-enum Unit : GLuint { volume_unit, empty_cells_unit, tf_unit, peak_table_unit, peak_runs_unit };
+enum Unit : GLuint {
+  volume_unit,
+  empty_cells_unit,
+  macrocells_unit,
+  tf_unit,
+  peak_table_unit,
+  peak_runs_unit
+};
 
 void set(GLuint program, const char* name, float x) {
   glProgramUniform1f(program, glGetUniformLocation(program, name), x);
@@ -54,6 +62,7 @@ void set_view(GLuint program, const Scene& scene, const Camera& camera, glm::ive
   set(program, "ray_v", glm::vec3(rays.v));
   set(program, "eye_to_anchor", float(rays.eye_to_anchor));
   set(program, "step_length", float(scene.rendering.step));
+  set(program, "s_k", float(scene.rendering.s_k));
 }
 
 void set_few_peaks(GLuint program, const std::vector<Peak>& peaks) {
@@ -90,6 +99,7 @@ struct Raycaster::State {
 
   std::optional<Classification> classification;
   Tables tables;
+  MacrocellStore macrocells;
   Tables no_tables;  ///< of a TF that shows nothing, for what is forced in
 
   struct Variant {
@@ -105,6 +115,7 @@ struct Raycaster::State {
   Need need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics);
   const gl::ProgramHandle& program(const Features& features);
   void bind(const Scene& scene, const Need& need, GLuint program);
+  void bind_macrocells(const Scene& scene, const Need& need, GLuint program);
   void bind_tf(const Need& need, GLuint program);
   void bind_peaks(const Need& need, GLuint program);
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
@@ -117,6 +128,7 @@ void Raycaster::State::take_volume(const Scene& scene) {
   if (volume == scene.volume) return;
   classification.reset();
   volume.reset();
+  macrocells.forget_volume();
   values = {};  // the old one's room first
   empty_cells = {};
   units = stored_units(scene.volume->statistics.range);
@@ -129,12 +141,16 @@ void Raycaster::State::take_classification(const Scene& scene) {
   if (classification && classification->tf == scene.tf) return;
   classification = classify(scene.tf, scene.volume->statistics.range);
   tables = {};
+  macrocells.forget_tf();
 }
 
 Need Raycaster::State::need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics) {
   take_classification(scene);
-  return find_need(*scene.volume, *classification, scene.rendering, camera, double(size.x) / size.y,
-                   statistics, forced);
+  const auto occupied_share = [&](const Features& features, double blur) {
+    return macrocells.occupied_share(*scene.volume, *classification, scene.rendering, features, blur);
+  };
+  return find_need(*scene.volume, *classification, scene.rendering, camera, size, statistics, forced,
+                   occupied_share);
 }
 
 const gl::ProgramHandle& Raycaster::State::program(const Features& features) {
@@ -161,6 +177,7 @@ void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program
     glBindTextureUnit(empty_cells_unit, empty_cells.id());
     set(program, "empty_cells", int(empty_cells_unit));
   }
+  if (features.skipping || features.adaptive) bind_macrocells(scene, need, program);
   if (features.dvr) bind_tf(need, program);
   if (features.peaks) bind_peaks(need, program);
   // What is forced in does not show
@@ -168,6 +185,17 @@ void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program
   set(program, "least_residual",
       need.needed.early_termination ? float(scene.rendering.early_termination) : 0.0f);
   set(program, "shading_strength", need.needed.shading ? 1.0f : 0.0f);
+}
+
+void Raycaster::State::bind_macrocells(const Scene& scene, const Need& need, GLuint program) {
+  Features features = need.needed;  // what is forced in does not show
+  features.skipping = need.features.skipping;
+  glBindTextureUnit(macrocells_unit,
+                    macrocells.texture(*volume, *classification, scene.rendering, features, need.tf_blur));
+  set(program, "macrocells", int(macrocells_unit));
+  const Grid& grid = volume->grid;
+  set(program, "macrocell_size",
+      glm::vec3(grid.spacing / grid.smallest_spacing() * double(MacrocellStore::side(*volume))));
 }
 
 void Raycaster::State::bind_tf(const Need& need, GLuint program) {
