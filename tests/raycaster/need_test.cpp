@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "presets/names.h"
+#include "render/raycaster/macrocell_store.h"
 #include "render/reference/reference.h"
 #include "tests/raycaster/fixture.h"
 #include "tests/raycaster/random_view.h"
@@ -12,13 +13,17 @@ namespace crest::testing {
 namespace {
 
 constexpr glm::ivec2 size{32, 32};
-/// Of 32-bit float along a ray: 1.2e-7 in 150 views, and 6e-7 where passes are joined.
-constexpr double rounding = 1e-6;
+/// Of 32-bit float along a ray.
+constexpr double rounding = 5e-6;
 
 Need need_of(const View& view, const Forced& forced = {}, bool statistics = false) {
-  const Volume& volume = *view.scene.volume;
-  return find_need(volume, classify(view.scene.tf, volume.statistics.range), view.scene.rendering,
-                   view.camera, double(size.x) / size.y, statistics, forced);
+  const auto& [volume, tf, rendering] = view.scene;
+  const Classification classification = classify(tf, volume->statistics.range);
+  MacrocellStore macrocells;
+  const auto occupied_share = [&](const Features& features, double blur) {
+    return macrocells.occupied_share(*volume, classification, rendering, features, blur);
+  };
+  return find_need(*volume, classification, rendering, view.camera, size, statistics, forced, occupied_share);
 }
 
 Forced forcing(const FeatureName& feature) {
