@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/feature_list.h"
+
 namespace crest {
 namespace {
 
@@ -171,6 +173,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
       "caster");
   changed |= choice(widgets, "##engine", r.engine, field);
   ImGui::EndTable();
+  feature_list(state, inputs, r.mode);
   return changed;
 }
 

@@ -61,17 +61,6 @@ const Method* find_method(std::string_view id) {
   return found == std::end(table) ? nullptr : &*found;
 }
 
-std::vector<std::string> assignments_of(const Method& method, double step) {
-  std::vector<std::string> assignments;
-  for (const std::string_view word : words_of(method.settings))
-    assignments.push_back(fmt::format("rendering.{}", word));
-  if (method.s_k_per_step > 0)
-    assignments.push_back(fmt::format("rendering.s_k={}", step * method.s_k_per_step));
-  else if (method.has_step)
-    assignments.push_back(fmt::format("rendering.step={}", step));
-  return assignments;
-}
-
 Rendering measured_rendering(const Method& method, double step, const Rendering& scene) {
   Preset preset;
   preset.rendering.clip_box = scene.clip_box;
@@ -83,7 +72,12 @@ Rendering measured_rendering(const Method& method, double step, const Rendering&
   preset.rendering.max_peaks = scene.max_peaks;
   preset.rendering.peak_bins = scene.peak_bins;
   preset.transfer_function = default_transfer_function();  // a preset has one
-  for (const std::string& assignment : assignments_of(method, step)) preset = set_field(preset, assignment);
+  for (const std::string_view word : words_of(method.settings))
+    preset = set_field(preset, fmt::format("rendering.{}", word));
+  if (method.s_k_per_step > 0)
+    preset.rendering.s_k = step * method.s_k_per_step;
+  else if (method.has_step)
+    preset.rendering.step = step;
   return preset.rendering;
 }
 

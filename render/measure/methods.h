@@ -38,9 +38,6 @@ Rendering measured_rendering(const Method& method, double step, const Rendering&
 /// The scene's settings changed to a method, which leaves its shading and its early termination as they are.
 Rendering with_method(const Rendering& scene, const Method& method, double step);
 
-/// "rendering.mode=DVR_ONLY", ...: the assignments that `--set` takes to render so, the step among them.
-std::vector<std::string> assignments_of(const Method& method, double step);
-
 /// The exact answers that a method is measured against.
 std::vector<Answer> answers_of(const Method& method);
 

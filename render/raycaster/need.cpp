@@ -222,17 +222,14 @@ void Decision::decide_peaks() {
   const auto unless_none = [&](std::string why_not) { return none.empty() ? std::move(why_not) : none; };
   const std::size_t count = s_.surfaces().size();
   const bool needs_table = count > most_listed_peaks;
+  const std::string single = count == 1 ? "there is one surface" : "";
+  const std::string few = fmt::format("{} surfaces can be tested all at once", count);
   decide(&Features::peaks, none);
-  decide(&Features::peak_table,
-         unless_none(needs_table ? "" : fmt::format("{} can be tested all at once", count)), f.peaks);
-  decide(&Features::peak_list,
-         unless_none(needs_table  ? "the peak table has them"
-                     : count == 1 ? "there is one surface"
-                                  : ""),
+  decide(&Features::peak_table, unless_none(needs_table ? "" : single.empty() ? few : single), f.peaks);
+  decide(&Features::peak_list, unless_none(f.peak_table ? "the peak table has them" : single),
          f.peaks && !f.peak_table);
   if (f.peak_table) {
     const int most = s_.rendering.peak_bins;
-    need_.features.peak_list = false;
     need_.peak_bins = forced_.large_tables ? most : separating_bins(s_.surfaces(), s_.surface_field(), most);
   }
   decide(&Features::several_peaks, unless_none(s_.why_no_several_peaks(need_.peak_bins)), f.peaks);

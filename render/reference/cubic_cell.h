@@ -32,8 +32,8 @@ template <class Real>
 class CubicCell {
  public:
   CubicCell(const Volume& volume, const CubicFilter<Real>& filter, glm::ivec3 cell,
-            const PlaceRounding<Real>& place)
-      : filter_(filter), place_(place) {
+            const Roundings<Real>& roundings)
+      : filter_(filter), roundings_(roundings) {
     const glm::ivec3 last = volume.grid.dims - 1;
     float* next = value_;
     for (int k = -1; k <= 2; ++k)
@@ -43,7 +43,7 @@ class CubicCell {
                               std::clamp(cell.z + k, 0, last.z));
     const auto [low, high] = std::minmax_element(value_, value_ + 64);
     const Real beyond = filter.overshoot * (Real(*high) - Real(*low));
-    bounds_ = make_bounds(Real(*low) - beyond, Real(*high) + beyond, place);
+    bounds_ = make_bounds(Real(*low) - beyond, Real(*high) + beyond, roundings);
   }
 
   const CellBounds<Real>& bounds() const { return bounds_; }
@@ -52,7 +52,7 @@ class CubicCell {
     return {.offset = Real(offset()),
             .f = polynomial(at),
             .length = at.length,
-            .rounding = place_.real * (bounds_.high - bounds_.low),
+            .rounding = roundings_.place * (bounds_.high - bounds_.low),
             .float_rounding = bounds_.float_rounding};
   }
 
@@ -98,7 +98,7 @@ class CubicCell {
   }
 
   const CubicFilter<Real>& filter_;
-  PlaceRounding<Real> place_;
+  Roundings<Real> roundings_;
   float value_[64];
   CellBounds<Real> bounds_;
 };

@@ -10,13 +10,14 @@ namespace crest::reference {
 template <class Real>
 class TrilinearCell {
  public:
-  TrilinearCell(const Volume& volume, glm::ivec3 cell, const PlaceRounding<Real>& place) : place_(place) {
+  TrilinearCell(const Volume& volume, glm::ivec3 cell, const Roundings<Real>& roundings)
+      : roundings_(roundings) {
     const std::size_t row = std::size_t(volume.grid.dims.x), slice = row * std::size_t(volume.grid.dims.y);
     const float* first =
         volume.values.data() + std::size_t(cell.x) + row * std::size_t(cell.y) + slice * std::size_t(cell.z);
     for (std::size_t i = 0; i < 8; ++i) value_[i] = first[(i & 1) + (i >> 1 & 1) * row + (i >> 2) * slice];
     const auto [low, high] = std::minmax_element(value_, value_ + 8);
-    bounds_ = make_bounds(Real(*low), Real(*high), place);
+    bounds_ = make_bounds(Real(*low), Real(*high), roundings);
   }
 
   const CellBounds<Real>& bounds() const { return bounds_; }
@@ -25,7 +26,7 @@ class TrilinearCell {
     return {.offset = Real(value_[0]),
             .f = polynomial(at),
             .length = at.length,
-            .rounding = place_.real * (bounds_.high - bounds_.low),
+            .rounding = roundings_.place * (bounds_.high - bounds_.low),
             .float_rounding = bounds_.float_rounding};
   }
 
@@ -56,7 +57,7 @@ class TrilinearCell {
              a[2] + bend * at.entry.x + tilt * at.extent.x, bend * at.extent.x}};
   }
 
-  PlaceRounding<Real> place_;
+  Roundings<Real> roundings_;
   float value_[8];
   CellBounds<Real> bounds_;
 };

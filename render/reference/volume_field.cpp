@@ -21,12 +21,12 @@ void visit_cells(const VolumeFields& fields, const PixelRay<Real>& ray, Visit&& 
 /// Calls use(make_cell) with a function that makes the filter's cells, of either kind.
 template <class Real, class Use>
 void with_cells(const Volume& volume, const FieldFilter& filter, const PixelRay<Real>& ray, Use&& use) {
-  const auto place = place_rounding(volume.grid.dims, ray);
+  const auto roundings = roundings_of(volume, ray);
   if (radius_of(filter) == 1) {
-    use([&](glm::ivec3 cell) { return TrilinearCell<Real>(volume, cell, place); });
+    use([&](glm::ivec3 cell) { return TrilinearCell<Real>(volume, cell, roundings); });
   } else {
     const CubicFilter<Real> cubic = make_cubic_filter<Real>(filter);
-    use([&](glm::ivec3 cell) { return CubicCell<Real>(volume, cubic, cell, place); });
+    use([&](glm::ivec3 cell) { return CubicCell<Real>(volume, cubic, cell, roundings); });
   }
 }
 

@@ -41,6 +41,20 @@ struct Interval {
   bool is_first;  // of the span: nothing is known of the field before
 };
 
+// The least and the greatest value that the field can have between two samples of a row of four. The lines that lead
+// to them from outside bound it, where it is convex there: also an extremum between the samples.
+#if EXTREMA
+float least_between(float f0, float f1, float f2, float f3) {
+  return min(min(f1, f2), max(2.0 * f1 - f0, 2.0 * f2 - f3));
+}
+float most_between(float f0, float f1, float f2, float f3) {
+  return max(max(f1, f2), min(2.0 * f1 - f0, 2.0 * f2 - f3));
+}
+#else
+float least_between(float f0, float f1, float f2, float f3) { return min(f1, f2); }
+float most_between(float f0, float f1, float f2, float f3) { return max(f1, f2); }
+#endif
+
 #if EXTREMA
 // Where the lines that lead to a from before and to b from after meet, if that is between them and comes out beyond
 // both: the place of a cusp (trilinear fields have them at the cells' faces), and nearly that of a smooth extremum.
@@ -49,6 +63,12 @@ bool find_extremum(Ray ray, Interval now, out Knot extremum) {
   float place = (now.b.value - now.a.value - rise_after) / (rise_before - rise_after);
   bool turns = rise_before < 0.0 ? rise_after > 0.0 : rise_before > 0.0 && rise_after < 0.0;  // no product: it underflows
   if (now.is_first || !turns || !(place > 0.0 && place < 1.0)) return false;
+#if PEAK_TABLE
+  // What is found must not depend on how far the table's bins reach beyond their peaks
+  if (!holds_peak(least_between(now.before, now.a.value, now.b.value, now.after),
+                  most_between(now.before, now.a.value, now.b.value, now.after)))
+    return false;
+#endif
   extremum.t = mix(now.a.t, now.b.t, place);
   extremum.value = field(at(ray, extremum.t));
   return extremum.value > max(now.a.value, now.b.value) || extremum.value < min(now.a.value, now.b.value);
@@ -138,20 +158,6 @@ bool composite_interval(Ray ray, Interval now, out float before) {
   before = a.value;
   return found > 0;
 }
-
-// The least and the greatest value that the field can have between two samples of a row of four. The lines that lead
-// to them from outside bound it, where it is convex there: also an extremum between the samples.
-#if EXTREMA
-float least_between(float f0, float f1, float f2, float f3) {
-  return min(min(f1, f2), max(2.0 * f1 - f0, 2.0 * f2 - f3));
-}
-float most_between(float f0, float f1, float f2, float f3) {
-  return max(max(f1, f2), min(2.0 * f1 - f0, 2.0 * f2 - f3));
-}
-#else
-float least_between(float f0, float f1, float f2, float f3) { return min(f1, f2); }
-float most_between(float f0, float f1, float f2, float f3) { return max(f1, f2); }
-#endif
 
 // The inner loop composites whole segments. A crossing cuts its segment; the next sample's piece then begins at the
 // cut. Behind the last sample the exit takes what is left. All that outlives the inner loop is carried by it: Mesa
