@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/raycaster/stored_units.h"
 #include "render/reference/cell_walk.h"
 
 namespace crest::reference {
@@ -82,6 +83,7 @@ void solve_trilinear(RaySolver<Real>& solver, const Volume& volume, const PixelR
   const Real place_rounding =
       std::numeric_limits<Real>::epsilon() * Real(4 * std::max({dims.x, dims.y, dims.z}) + 16);
   const Real float_place_rounding = Real(ray.float_rounding.x + ray.float_rounding.y + ray.float_rounding.z);
+  const Real float_base = Real(stored_units(volume.statistics.range).base);
 
   solver.begin_span();
   walk_cells(dims - 1, *ray.inside, [&](const CellVisit<Real>& at) {
@@ -92,9 +94,10 @@ void solve_trilinear(RaySolver<Real>& solver, const Volume& volume, const PixelR
       return true;
     }
     const Real low = Real(corners.low), high = Real(corners.high), range = high - low;
-    // A float field value: four roundings of it, and its change over those of the position.
+    // A float field value: four roundings of it as it is stored, and its change over those of the position.
     const Real float_rounding =
-        Real(0x1p-22) * std::max(std::abs(low), std::abs(high)) + range * float_place_rounding;
+        Real(0x1p-22) * std::max(std::abs(low - float_base), std::abs(high - float_base)) +
+        range * float_place_rounding;
     if (!solve_plain_cell(solver, low, high, float_rounding, at.length))
       solver.add(FieldPiece<Real, cell_degree>{.offset = Real(corners.value[0]),
                                                .f = field_along(corners, at),
