@@ -13,7 +13,8 @@ bool is_finite(const glm::vec4& p) {
 
 Verdict verdict_of(const Row& row) {
   const bool drawn_rightly = row.claim.empty == (row.covered == 0);
-  if (row.not_finite > 0 || !drawn_rightly) return Verdict::fail;
+  if (row.not_finite > 0 || !drawn_rightly || row.left_out > most_left_out * row.covered)
+    return Verdict::fail;
   if (row.measured <= row.claim.bound) return Verdict::pass;
   const bool within_limit = row.claim.limit && row.measured <= row.claim.limit->bound;
   return within_limit ? Verdict::limited : Verdict::fail;
@@ -52,11 +53,12 @@ void Worst::take(double measured, std::string_view where) {
   at = where;
 }
 
-Row judge(Claim claim, Worst measured, std::span<const Image> pictures) {
+Row judge(Claim claim, Worst measured, std::span<const Image> pictures, int left_out) {
   Row row;
   row.claim = std::move(claim);
   row.measured = measured.value;
   row.at = std::move(measured.at);
+  row.left_out = left_out;
   row.picture = pictures.back();
   row.covered = row.claim.empty ? 0 : std::numeric_limits<int>::max();
   for (const Image& image : pictures) {
