@@ -27,7 +27,8 @@ struct VolumePlacement {
   Placement placement;
   std::vector<Point> points;      ///< by step
   Image picture;                  ///< at `pictured_step`
-  std::optional<OrderFit> order;  ///< of the RMSE: fit_finest_order()
+  /// Of the RMSE: fit_finest_order(); nothing where it is that of rounding at every step.
+  std::optional<OrderFit> order;
 };
 
 struct VolumeStudy {
