@@ -25,8 +25,8 @@ struct VolumePlacement {
     double dvr_samples_per_ray = 0;
   };
   Placement placement;
-  std::vector<Point> points;      ///< by step
-  Image picture;                  ///< at `pictured_step`
+  std::vector<Point> points;  ///< by step
+  Image picture;              ///< at `pictured_step`
   /// Of the RMSE: fit_finest_order(); nothing where it is that of rounding at every step.
   std::optional<OrderFit> order;
 };
