@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "render/raycaster/stored_units.h"
+#include "render/classify/stored_units.h"
 #include "render/reference/cell_walk.h"
 
 namespace crest::reference {

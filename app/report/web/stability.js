@@ -1,7 +1,7 @@
 // The table of `crest stability`, group by group.
 {
   const stability = data;
-  const number = x => x === null ? 'not finite' : Number(x.toPrecision(2)).toString();
+  const finite = x => x === null ? 'not finite' : number(x);
   const failed = stability.rows.filter(row => row.verdict === 'FAIL').length;
   const limited = stability.rows.filter(row => row.verdict === 'limited').length;
   document.getElementById('subject').textContent = stability.renderer;
@@ -26,9 +26,9 @@
       image.alt = row.case;
       picture.append(image);
     }
-    const limit = row.limit ? `${row.limit.why}: at most ${number(row.limit.bound)}` : '';
-    const texts = [row.case, row.quantity + (row.worst_at ? ` (worst at ${row.worst_at})` : ''), row.truth, number(row.bound),
-                   number(row.measured), row.verdict === 'limited' ? `limited. ${limit}` : row.verdict];
+    const limit = row.limit ? `${row.limit.why}: at most ${finite(row.limit.bound)}` : '';
+    const texts = [row.case, row.quantity + (row.worst_at ? ` (worst at ${row.worst_at})` : ''), row.truth, finite(row.bound),
+                   finite(row.measured), row.verdict === 'limited' ? `limited. ${limit}` : row.verdict];
     for (const text of texts) line.insertCell().textContent = text;
     if (row.verdict === 'FAIL') line.style.fontWeight = 'bold';
   }

@@ -1,4 +1,4 @@
-#include "render/raycaster/stored_units.h"
+#include "render/classify/stored_units.h"
 
 #include <cmath>
 
