@@ -10,40 +10,37 @@
 
 namespace crest {
 namespace fs = std::filesystem;
+namespace {
 
-OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
-  try {
-    make();
-  } catch (...) {
-    remove_empty();
-    throw;
-  }
+/// The innermost first; one with files in it stays, and those above it.
+void remove_empty(std::vector<fs::path> folders) {
+  std::error_code ignored;
+  for (; !folders.empty(); folders.pop_back()) fs::remove(folders.back(), ignored);
 }
 
-OutputFolder::~OutputFolder() { remove_empty(); }
+}  // namespace
 
-void OutputFolder::make() {
+std::vector<fs::path> make_folder(const fs::path& path) {
   std::error_code fault;
-  std::vector<fs::path> missing;
-  fs::path folder = fs::absolute(path_).lexically_normal();
+  std::vector<fs::path> missing, made;
+  fs::path folder = fs::absolute(path).lexically_normal();
   if (!folder.has_filename()) folder = folder.parent_path();  // it ended with a slash
   for (; !fs::exists(folder, fault); folder = folder.parent_path()) missing.push_back(folder);
   const auto fail = [&](const std::string& what) {
-    throw Error(fmt::format("{}: cannot be made a folder: {}", path_.string(), what));
+    remove_empty(made);
+    throw Error(fmt::format("{}: cannot be made a folder: {}", path.string(), what));
   };
   if (!fs::is_directory(folder, fault)) fail(fault ? fault.message() : folder.string() + " is a file");
   for (; !missing.empty(); missing.pop_back()) {
     folder = missing.back();
     if (!fs::create_directory(folder, fault)) fail(fault.message());
-    made_.push_back(folder);
+    made.push_back(folder);
   }
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    throw Error(fmt::format("{}: cannot be written into: {}", path_.string(), std::strerror(errno)));
+    throw Error(fmt::format("{}: cannot be written into: {}", path.string(), std::strerror(errno)));
+  return made;
 }
 
-void OutputFolder::remove_empty() {
-  std::error_code ignored;
-  for (; !made_.empty(); made_.pop_back()) fs::remove(made_.back(), ignored);  // one with files in it stays
-}
+OutputFolder::~OutputFolder() { remove_empty(made_); }
 
 }  // namespace crest

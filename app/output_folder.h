@@ -5,25 +5,21 @@
 
 namespace crest {
 
-/// The folder that a command's files go into. It is made before any work, with those above it that are
-/// missing, so that a wrong one is found at once; what was made goes again in the end if nothing came into
-/// it.
+/// Makes a folder, and those above it, unless they are there: those that are new, the outermost first. Throws
+/// Error where that is not possible, or nothing can be written into it; then nothing is left of it.
+std::vector<std::filesystem::path> make_folder(const std::filesystem::path& path);
+
+/// The folder that a command writes its files into: made before any work, so that a wrong one is told at
+/// once. What is new of it and those above it is taken away in the end if nothing came into it.
 class OutputFolder {
  public:
-  /// Throws Error where there can be no such folder, or nothing can be written into it.
-  explicit OutputFolder(std::filesystem::path path);
+  explicit OutputFolder(const std::filesystem::path& path) : made_(make_folder(path)) {}
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
-
  private:
-  void make();
-  void remove_empty();
-
-  std::filesystem::path path_;
-  std::vector<std::filesystem::path> made_;  ///< the outermost first
+  std::vector<std::filesystem::path> made_;
 };
 
 }  // namespace crest

@@ -64,7 +64,7 @@ void run_stability(const StabilityOptions& options) {
   Raycaster raycaster;
   const std::vector<Row> rows = measure_rows(raycaster, size);
   const Json json = stability_json(rows, context.renderer());
-  if (folder) write_stability(rows, json, folder->path());
+  if (folder) write_stability(rows, json, options.output);
   if (options.json)
     fmt::print("{}\n", json.dump(2));
   else

@@ -48,11 +48,22 @@ void visit_fields(Self& rendering, Field&& field) {
   field("mode", rendering.mode, always_written());
   field("peak_form", rendering.peak_form, any_value);
   field("engine", rendering.engine, always_written());
+  field("classification", rendering.classification, any_value);
+  field("preintegration_bins", rendering.preintegration_bins, FieldRule{.min = 2, .max = 2048});
   field("step", rendering.step, FieldRule{.min = 1e-3});  // a ray has a finite number of them
   field("placement", rendering.placement, any_value);
+  field("sampling", rendering.sampling, any_value);
+  field("s_k", rendering.s_k, FieldRule{.min = 1e-3, .max = 1e3});
+  field("adaptive", rendering.adaptive, any_value);
+  field("skipping", rendering.skipping, any_value);
+  field("filter", rendering.filter, any_value);
+  field("root_filter", rendering.root_filter, any_value);
+  field("bc_b", rendering.bc_b, FieldRule{.min = -10, .max = 10});
+  field("bc_c", rendering.bc_c, FieldRule{.min = -10, .max = 10});
   field("max_peaks", rendering.max_peaks, FieldRule{.min = 1, .max = 64});
   field("peak_bins", rendering.peak_bins, FieldRule{.min = 1, .max = 4096});
   field("shading", rendering.shading, any_value);
+  field("gradient", rendering.gradient, any_value);
   field("early_termination", rendering.early_termination, unit_interval);
   field("clip_box", rendering.clip_box, any_value);
   field("background", rendering.background, unit_interval);

@@ -44,6 +44,30 @@ struct EnumNames<Placement> {
                                                {Placement::entry_exit_corner, "entry_exit_corner"}};
 };
 template <>
+struct EnumNames<ClassificationMethod> {
+  static constexpr Named<ClassificationMethod> table[] = {
+      {ClassificationMethod::post, "post"},
+      {ClassificationMethod::preintegrated, "preintegrated"},
+      {ClassificationMethod::preintegrated_table, "preintegrated_table"}};
+};
+template <>
+struct EnumNames<Sampling> {
+  static constexpr Named<Sampling> table[] = {{Sampling::uniform, "uniform"},
+                                              {Sampling::differential, "differential"},
+                                              {Sampling::footprint, "footprint"}};
+};
+template <>
+struct EnumNames<Filter> {
+  static constexpr Named<Filter> table[] = {{Filter::linear, "linear"},
+                                            {Filter::linear_exact, "linear_exact"},
+                                            {Filter::bspline, "bspline"},
+                                            {Filter::bc, "bc"}};
+};
+template <>
+struct EnumNames<Gradient> {
+  static constexpr Named<Gradient> table[] = {{Gradient::central, "central"}, {Gradient::filter, "filter"}};
+};
+template <>
 struct EnumNames<Shading> {
   static constexpr Named<Shading> table[] = {{Shading::none, "none"}, {Shading::gradient, "gradient"}};
 };

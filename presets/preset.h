@@ -18,7 +18,18 @@ enum class Engine { raycaster, reference };
 /// or fall short by up to half a step; or in equal segments from entry to exit, rounded down (none in a
 /// corner shorter than a step) or up.
 enum class Placement { eye, entry, entry_exit, entry_exit_corner };
+/// How a step's colour and opacity follow from the field: the TF at a sample; the TF's antiderivatives
+/// between the values at the step's ends; or Engel's table of both values, which holds one step length only.
+enum class ClassificationMethod { post, preintegrated, preintegrated_table };
+/// Step lengths along a ray: all the same; growing with the distance to the eye as published (Knoll et al.,
+/// section 5); or in proportion to what a pixel covers.
+enum class Sampling { uniform, differential, footprint };
+/// How the field is reconstructed between the grid's points: trilinear by the texture unit; the same in
+/// float; tricubic B-spline; the family of Mitchell and Netravali with its B and C.
+enum class Filter { linear, linear_exact, bspline, bc };
 enum class Shading { none, gradient };
+/// How shading finds a gradient: central differences of the field, or the filter's own derivative.
+enum class Gradient { central, filter };
 
 /// Only what lies in this box is rendered: it brings new entry and exit points, and changes nothing else.
 struct ClipBox {
@@ -32,11 +43,21 @@ struct Rendering {
   Mode mode = Mode::both;
   PeakForm peak_form = PeakForm::split;
   Engine engine = Engine::raycaster;
-  double step = 0.5;  ///< at least 1e-3, in units of the smallest spacing
+  ClassificationMethod classification = ClassificationMethod::post;
+  int preintegration_bins = 256;  ///< of the table on each axis, 2..2048
+  double step = 0.5;              ///< at least 1e-3, in units of the smallest spacing; `uniform` alone
   Placement placement = Placement::entry_exit_corner;
-  int max_peaks = 4;    ///< most crossings that one step composites, 1..64
-  int peak_bins = 128;  ///< bins of the peak table on each axis, 1..4096
+  Sampling sampling = Sampling::uniform;
+  double s_k = 4;         ///< steps at the eye, in pixels' diagonals at distance 1, of the other samplings
+  bool adaptive = false;  ///< longer steps where the field is smooth (Knoll et al., section 6.2)
+  bool skipping = true;   ///< of empty space
+  Filter filter = Filter::linear;
+  std::optional<Filter> root_filter;      ///< of the surfaces; without one, the same
+  double bc_b = 1.0 / 3, bc_c = 1.0 / 3;  ///< Mitchell and Netravali's, -10..10
+  int max_peaks = 4;                      ///< most crossings that one step composites in the paper's form, 1..64
+  int peak_bins = 128;                    ///< bins of the peak table on each axis, 1..4096
   Shading shading = Shading::none;
+  Gradient gradient = Gradient::central;
   double early_termination = 0;  ///< residual transmittance at which a ray stops; 0 = never
   std::optional<ClipBox> clip_box;
   glm::dvec3 background{0};  ///< display-referred RGB in [0, 1]

@@ -58,6 +58,11 @@ void read(const Json& json, const Path& path, int& value, const FieldRule& rule)
   value = int(number);
 }
 
+void read(const Json& json, const Path& path, bool& value, const FieldRule&) {
+  if (!json.is_boolean()) fail(path, fmt::format("{} is not true or false", summary_of(json)));
+  value = json.get<bool>();
+}
+
 void read(const Json& json, const Path& path, std::string& text, const FieldRule&) {
   if (!json.is_string()) fail(path, fmt::format("{} is not a text in quotes", summary_of(json)));
   text = json.get<std::string>();

@@ -17,6 +17,8 @@ Json to_json(double value, Fields) {
 
 Json to_json(int value, Fields) { return value; }
 
+Json to_json(bool value, Fields) { return value; }
+
 Json to_json(const std::string& text, Fields) { return text; }
 
 Json to_json(const glm::dvec3& v, Fields which) {

@@ -1,4 +1,3 @@
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -9,11 +8,13 @@
 #include "app/offscreen_context.h"
 #include "app/output_folder.h"
 #include "app/progress.h"
+#include "app/report/page.h"
 #include "app/report/progress_line.h"
 #include "app/report/report_files.h"
 #include "app/report/studies.h"
 #include "app/scene_options.h"
 #include "presets/error.h"
+#include "presets/preset_file.h"
 #include "render/volume/load.h"
 
 namespace crest {
@@ -76,9 +77,10 @@ std::string command_text(const CLI::App& command) {
   return text;
 }
 
-/// The command that renders with a method what the report is of.
-std::string render_command(const SceneOptions& scene, const std::string& size, const Method& method,
-                           double step) {
+/// The command that renders what the report is of, with these settings. `written` are those that it would
+/// have otherwise.
+std::string render_command(const SceneOptions& scene, const std::string& size, const Rendering& written,
+                           const Rendering& settings) {
   std::string text = "crest render " + shell_word(scene.volume);
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) text += fmt::format(" {} {}", option, shell_word(value));
@@ -89,9 +91,7 @@ std::string render_command(const SceneOptions& scene, const std::string& size, c
   add("--up", scene.up);
   add("--fov", scene.fov);
   for (const std::string& assignment : scene.sets) add("--set", assignment);
-  for (const std::string& assignment : assignments_of(method, step)) add("--set", assignment);
-  add("--set", "rendering.shading=none");
-  add("--set", "rendering.early_termination=0");
+  for (const std::string& assignment : assignments_between(written, settings)) add("--set", assignment);
   add("--size", size);
   return text + (scene.fit_range ? " --fit-range" : "") + " -o picture.png";
 }
@@ -108,17 +108,17 @@ Report subject_of(const ReportOptions& options) {
   report.subject.command = options.command;
   report.subject.volume = options.scene.volume;
   report.subject.preset = options.scene.preset;
-  report.subject.made_at =
-      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                  std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now()));
-  report.subject.render_command = [scene = options.scene, size = options.size](const Method& method,
-                                                                               double step) {
-    return render_command(scene, size, method, step);
+  report.subject.made_at = utc_now();
+  SceneOptions plain = options.scene;  // what a method decides need not be said
+  plain.mode = plain.engine = plain.step = "";
+  report.subject.render_command = [plain, written = plain.read_preset(*volume).rendering, size = options.size,
+                                   own = report.scene.rendering](const Method& method, double step) {
+    return render_command(plain, size, written, measured_rendering(method, step, own));
   };
   return report;
 }
 
-void make_report(const ReportOptions& options, const std::filesystem::path& folder, std::stop_token stop) {
+void make_report(const ReportOptions& options, std::stop_token stop) {
   Report report = subject_of(options);
   const OffscreenContext context(options.device);
   report.subject.renderer = context.renderer();
@@ -130,6 +130,7 @@ void make_report(const ReportOptions& options, const std::filesystem::path& fold
       progress.show(doing, done, report.points.size(), taken.count());
     });
   }
+  const std::filesystem::path folder = options.output;
   if (report.points.empty())
     throw Error(fmt::format("{}: nothing was measured: {}", folder.string(),
                             stop.stop_requested() ? "stopped before the first point"
@@ -144,9 +145,9 @@ void make_report(const ReportOptions& options, const std::filesystem::path& fold
   if (!options.json) fmt::print("{}\n", (folder / "report.html").string());
 }
 
-void run_study(const ReportOptions& options, const std::filesystem::path& folder, std::stop_token stop) {
+void run_study(const ReportOptions& options, std::stop_token stop) {
   StudyOptions study_options;
-  study_options.folder = folder;
+  study_options.folder = options.output;
   study_options.scene = options.scene;
   if (options.size_is_given) study_options.size = pixels_of(options.size);
   study_options.device = options.device;
@@ -160,12 +161,14 @@ void run_report(const ReportOptions& options) {
   pixels_of(options.size);  // a wrong one is found before any work
   const OutputFolder folder(options.output);
   const Interrupt interrupt;
-  options.study.empty() ? make_report(options, folder.path(), interrupt.token())
-                        : run_study(options, folder.path(), interrupt.token());
+  if (options.study.empty())
+    make_report(options, interrupt.token());
+  else
+    run_study(options, interrupt.token());
 }
 
-/// Throws CLI::ParseError where options contradict each other, or one has no part in what is asked for.
-void check_options(const ReportOptions& options, const CLI::App& command) {
+/// Throws CLI::ParseError where one is wrong, or has no part in what is asked for.
+void check_options(const ReportOptions& options) {
   budget_seconds(options.budget);
   target_error(options.target);
   if (options.study.empty()) {
@@ -180,12 +183,6 @@ void check_options(const ReportOptions& options, const CLI::App& command) {
     throw CLI::ValidationError(
         "--study",
         fmt::format("without VOLUME, {} has scenes of its own: no preset, mode or camera", study.name));
-  for (const char* option : {"--budget", "--target-error"})
-    if (command.count(option) > 0)
-      throw CLI::ValidationError(option,
-                                 fmt::format("is of a report; the study {} takes as long as it takes, "
-                                             "less with a small --size",
-                                             study.name));
 }
 
 std::string study_help() {
@@ -208,21 +205,23 @@ void add_report_command(CLI::App& app, Action& chosen) {
   command->add_option("--size", options->size, "Width x height in pixels")
       ->capture_default_str()
       ->type_name("WxH");
+  CLI::Option* study = command->add_option("--study", options->study, study_help())->type_name("NAME");
   command->add_option("--budget", options->budget, "Time for all of it: 90s, 2m, 1h, or none")
       ->capture_default_str()
-      ->type_name("TIME");
+      ->type_name("TIME")
+      ->excludes(study);
   command
       ->add_option("--target-error", options->target,
                    "The error that the recommended setting keeps under: share, rmse, max, p999, flip, missed "
                    "or invented")
       ->capture_default_str()
-      ->type_name("MEASURE=X");
-  command->add_option("--study", options->study, study_help())->type_name("NAME");
+      ->type_name("LIMIT")
+      ->excludes(study);
   command->add_option("--device", options->device,
                       "Graphics device (crest list devices); hardware first by default");
   command->add_flag("--json", options->json, "Print report.json, too");
   command->callback([options, command, &chosen] {
-    check_options(*options, *command);
+    check_options(*options);
     options->command = command_text(*command);
     options->size_is_given = command->count("--size") > 0;
     chosen = [options] { run_report(*options); };

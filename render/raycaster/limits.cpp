@@ -60,7 +60,7 @@ bool loses_digits(ScalarType type, ValueRange range) {
 
 double haze_rounding(const Scene& scene) {
   if (scene.rendering.mode == Mode::peak_only) return 0;
-  const double opacity = greatest_opacity(dvr_tf(scene), scene.volume->statistics.range);
+  const double opacity = greatest_opacity(dvr_tf(scene), dvr_range(scene));
   return 4 * 0x1p-24 * extinction(opacity, scene.tf.unit_distance) * diagonal(scene.volume->grid);
 }
 

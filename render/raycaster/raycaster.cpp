@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 #include <limits>
 #include <map>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "presets/error.h"
 #include "render/camera.h"
 #include "render/gl/program.h"
+#include "render/raycaster/macrocell_store.h"
 #include "render/raycaster/table_textures.h"
 #include "render/raycaster/volume_texture.h"
 #include "render/volume/clip.h"
@@ -18,7 +20,14 @@
 namespace crest {
 namespace {
 
-enum Unit : GLuint { volume_unit, empty_cells_unit, tf_unit, peak_table_unit, peak_runs_unit };
+enum Unit : GLuint {
+  volume_unit,
+  empty_cells_unit,
+  macrocells_unit,
+  tf_unit,
+  peak_table_unit,
+  peak_runs_unit
+};
 
 void set(GLuint program, const char* name, float x) {
   glProgramUniform1f(program, glGetUniformLocation(program, name), x);
@@ -54,6 +63,7 @@ void set_view(GLuint program, const Scene& scene, const Camera& camera, glm::ive
   set(program, "ray_v", glm::vec3(rays.v));
   set(program, "eye_to_anchor", float(rays.eye_to_anchor));
   set(program, "step_length", float(scene.rendering.step));
+  set(program, "s_k", float(scene.rendering.s_k));
 }
 
 void set_few_peaks(GLuint program, const std::vector<Peak>& peaks) {
@@ -62,6 +72,15 @@ void set_few_peaks(GLuint program, const std::vector<Peak>& peaks) {
   glProgramUniform4f(program, glGetUniformLocation(program, "few_peaks"), values.x, values.y, values.z,
                      values.w);
   set(program, "peak_count", int(peaks.size()));
+}
+
+void set_bc_weights(GLuint program, const Rendering& rendering) {
+  const auto weights = filter_weights({Filter::bc, rendering.bc_b, rendering.bc_c});
+  glm::mat4 by_power;  // column k: what multiplies u^k
+  for (int k = 0; k < 4; ++k)
+    for (int i = 0; i < 4; ++i) by_power[k][i] = float(weights[std::size_t(i)][std::size_t(k)]);
+  glProgramUniformMatrix4fv(program, glGetUniformLocation(program, "bc_weights"), 1, GL_FALSE,
+                            &by_power[0][0]);
 }
 
 void clear(const gl::RenderTarget& target) {
@@ -87,9 +106,12 @@ struct Raycaster::State {
   std::shared_ptr<const Volume> volume;
   StoredUnits units;  ///< of the volume's texture, and so of every value that a shader is given
   gl::TextureHandle values, empty_cells;
+  int empty_cells_radius = 0;  ///< of the filter that they are made for
 
   std::optional<Classification> classification;
+  ValueRange dvr_range, surface_range;  ///< of the scene that is drawn
   Tables tables;
+  MacrocellStore macrocells;
   Tables no_tables;  ///< of a TF that shows nothing, for what is forced in
 
   struct Variant {
@@ -105,6 +127,7 @@ struct Raycaster::State {
   Need need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics);
   const gl::ProgramHandle& program(const Features& features);
   void bind(const Scene& scene, const Need& need, GLuint program);
+  void bind_macrocells(const Scene& scene, const Need& need, GLuint program);
   void bind_tf(const Need& need, GLuint program);
   void bind_peaks(const Need& need, GLuint program);
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
@@ -117,6 +140,7 @@ void Raycaster::State::take_volume(const Scene& scene) {
   if (volume == scene.volume) return;
   classification.reset();
   volume.reset();
+  macrocells.forget_volume();
   values = {};  // the old one's room first
   empty_cells = {};
   units = stored_units(scene.volume->statistics.range);
@@ -126,15 +150,23 @@ void Raycaster::State::take_volume(const Scene& scene) {
 
 void Raycaster::State::take_classification(const Scene& scene) {
   take_volume(scene);
-  if (classification && classification->tf == scene.tf) return;
-  classification = classify(scene.tf, scene.volume->statistics.range);
+  const ValueRange dvr = crest::dvr_range(scene), surfaces = crest::surface_range(scene);
+  if (classification && classification->tf == scene.tf && dvr == dvr_range && surfaces == surface_range)
+    return;
+  classification = classify(scene.tf, surfaces);
+  dvr_range = dvr;
+  surface_range = surfaces;
   tables = {};
+  macrocells.forget_tf();
 }
 
 Need Raycaster::State::need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics) {
   take_classification(scene);
-  return find_need(*scene.volume, *classification, scene.rendering, camera, double(size.x) / size.y,
-                   statistics, forced);
+  const auto occupied_share = [&](const Features& features, double blur) {
+    return macrocells.occupied_share(*scene.volume, *classification, scene.rendering, features, blur);
+  };
+  return find_need(*scene.volume, *classification, scene.rendering, camera, size, statistics, forced,
+                   occupied_share);
 }
 
 const gl::ProgramHandle& Raycaster::State::program(const Features& features) {
@@ -157,10 +189,14 @@ void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program
   glBindTextureUnit(volume_unit, values.id());
   set(program, "volume", int(volume_unit));
   if (features.empty_cells) {
-    if (!empty_cells) empty_cells = upload_empty_cells(*volume);
+    const int radius = support_radius(scene.rendering);
+    if (!empty_cells || empty_cells_radius != radius) empty_cells = upload_empty_cells(*volume, radius);
+    empty_cells_radius = radius;
     glBindTextureUnit(empty_cells_unit, empty_cells.id());
     set(program, "empty_cells", int(empty_cells_unit));
   }
+  if (uses_filter(features, Filter::bc)) set_bc_weights(program, scene.rendering);
+  if (features.skipping || features.adaptive) bind_macrocells(scene, need, program);
   if (features.dvr) bind_tf(need, program);
   if (features.peaks) bind_peaks(need, program);
   // What is forced in does not show
@@ -168,6 +204,17 @@ void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program
   set(program, "least_residual",
       need.needed.early_termination ? float(scene.rendering.early_termination) : 0.0f);
   set(program, "shading_strength", need.needed.shading ? 1.0f : 0.0f);
+}
+
+void Raycaster::State::bind_macrocells(const Scene& scene, const Need& need, GLuint program) {
+  Features features = need.needed;  // what is forced in does not show
+  features.skipping = need.features.skipping;
+  glBindTextureUnit(macrocells_unit,
+                    macrocells.texture(*volume, *classification, scene.rendering, features, need.tf_blur));
+  set(program, "macrocells", int(macrocells_unit));
+  const Grid& grid = volume->grid;
+  set(program, "macrocell_size",
+      glm::vec3(grid.spacing / grid.smallest_spacing() * double(MacrocellStore::side(*volume))));
 }
 
 void Raycaster::State::bind_tf(const Need& need, GLuint program) {
@@ -178,8 +225,7 @@ void Raycaster::State::bind_tf(const Need& need, GLuint program) {
     const TransferFunction shown = !need.needed.dvr ? TransferFunction{}
                                    : is_base        ? classification->base
                                                     : classification->tf;
-    tf = upload_tf(units.stored(shown), units.stored(volume->statistics.range),
-                   volume->grid.smallest_spacing(), entries);
+    tf = upload_tf(units.stored(shown), units.stored(dvr_range), volume->grid.smallest_spacing(), entries);
   }
   glBindTextureUnit(tf_unit, tf->texture.id());
   set(program, "tf_texture", int(tf_unit));
@@ -197,7 +243,7 @@ void Raycaster::State::bind_peaks(const Need& need, GLuint program) {
   if (!need.features.peak_table) return set_few_peaks(program, units.stored(surfaces));
 
   if (!held.peak_table || held.peak_table->bins != need.peak_bins) {
-    const PeakTable table = build_peak_table(surfaces, volume->statistics.range, need.peak_bins);
+    const PeakTable table = build_peak_table(surfaces, surface_range, need.peak_bins);
     held.peak_table = upload_peak_table(table, units.stored(surfaces));
   }
   glBindTextureUnit(peak_table_unit, held.peak_table->ranges.id());

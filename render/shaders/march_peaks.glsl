@@ -3,10 +3,10 @@
 // of them pay for it: this way they pay once a crossing, not once a step.)
 
 #if DVR
-// Material of the sample at t: shaded colour, extinction.
+// Material of the sample at t, where the surfaces' field has this value: shaded colour, extinction.
 vec4 material_at(Ray ray, float t, float value) {
-  vec4 material = classify(value);
-  return vec4(material.rgb * LIGHT(t), material.a);
+  vec4 material = classify(DVR_VALUE(value, at(ray, t)));
+  return vec4(material.rgb * DVR_LIGHT(t), material.a);
 }
 #endif
 
@@ -18,7 +18,7 @@ vec4 sample_material;
 // Composites up to a crossing: the piece that holds the sample with the sample's material, to the end of its segment;
 // the rest, or a piece between two crossings, with the TF at its middle, on the line between its two knots. No piece
 // goes beyond the last segment's end.
-void composite_until_hit(Knot from, Knot hit, bool is_first, float boundary, float last_end, float light_at_hit) {
+void composite_until_hit(Ray ray, Knot from, Knot hit, bool is_first, float boundary, float last_end, float light_at_hit) {
   if (is_first) {
     float end = min(boundary, hit.t);
     composite(sample_material.rgb, opacity_of(sample_material.a * max(end - done, 0.0)));
@@ -27,7 +27,7 @@ void composite_until_hit(Knot from, Knot hit, bool is_first, float boundary, flo
   float end = min(hit.t, last_end);
   float size = max(end - done, 0.0);
   float place = clamp((end - 0.5 * size - from.t) / max(hit.t - from.t, 1.0e-30), 0.0, 1.0);
-  vec4 material = classify(mix(from.value, hit.value, place));
+  vec4 material = classify(DVR_VALUE(mix(from.value, hit.value, place), at(ray, end - 0.5 * size)));
   composite(material.rgb * light_at_hit, opacity_of(material.a * size));
   done = max(done, end);
 }
@@ -41,6 +41,20 @@ struct Interval {
   bool is_first;  // of the span: nothing is known of the field before
 };
 
+// The least and the greatest value that the field can have between two samples of a row of four. The lines that lead
+// to them from outside bound it, where it is convex there: also an extremum between the samples.
+#if EXTREMA
+float least_between(float f0, float f1, float f2, float f3) {
+  return min(min(f1, f2), max(2.0 * f1 - f0, 2.0 * f2 - f3));
+}
+float most_between(float f0, float f1, float f2, float f3) {
+  return max(max(f1, f2), min(2.0 * f1 - f0, 2.0 * f2 - f3));
+}
+#else
+float least_between(float f0, float f1, float f2, float f3) { return min(f1, f2); }
+float most_between(float f0, float f1, float f2, float f3) { return max(f1, f2); }
+#endif
+
 #if EXTREMA
 // Where the lines that lead to a from before and to b from after meet, if that is between them and comes out beyond
 // both: the place of a cusp (trilinear fields have them at the cells' faces), and nearly that of a smooth extremum.
@@ -49,6 +63,12 @@ bool find_extremum(Ray ray, Interval now, out Knot extremum) {
   float place = (now.b.value - now.a.value - rise_after) / (rise_before - rise_after);
   bool turns = rise_before < 0.0 ? rise_after > 0.0 : rise_before > 0.0 && rise_after < 0.0;  // no product: it underflows
   if (now.is_first || !turns || !(place > 0.0 && place < 1.0)) return false;
+#if PEAK_TABLE
+  // What is found must not depend on how far the table's bins reach beyond their peaks
+  if (!holds_peak(least_between(now.before, now.a.value, now.b.value, now.after),
+                  most_between(now.before, now.a.value, now.b.value, now.after)))
+    return false;
+#endif
   extremum.t = mix(now.a.t, now.b.t, place);
   extremum.value = field(at(ray, extremum.t));
   return extremum.value > max(now.a.value, now.b.value) || extremum.value < min(now.a.value, now.b.value);
@@ -109,7 +129,7 @@ bool composite_interval(Ray ray, Interval now, out float before) {
       Knot hit = Knot(solve(ray, bracket, b, peak.value), peak.value);
       float light_at_hit = LIGHT(hit.t);
 #if DVR && SPLIT
-      composite_until_hit(from, hit, found == 0, now.boundary, now.last_end, light_at_hit);
+      composite_until_hit(ray, from, hit, found == 0, now.boundary, now.last_end, light_at_hit);
 #endif
       composite(peak.color_opacity.rgb * light_at_hit, peak.color_opacity.a);
       COUNT_CROSSING;
@@ -117,7 +137,7 @@ bool composite_interval(Ray ray, Interval now, out float before) {
       ++found;
       k = next_crossed(candidates, k + 1u, before, a, b);
     }
-    again = k < candidates.count && found < max_peaks;
+    again = k < candidates.count && !IS_FULL(found);
 #if STATISTICS
     for (uint left = k; !again && left < candidates.count; left = next_crossed(candidates, left + 1u, before, a, b))
       COUNT_LEFT_OUT;
@@ -131,7 +151,7 @@ bool composite_interval(Ray ray, Interval now, out float before) {
       b = now.b;
       candidates = candidates_between(a, b);
       k = next_crossed(candidates, 0u, before, a, b);
-      again = k < candidates.count && found < max_peaks;
+      again = k < candidates.count && !IS_FULL(found);
     }
 #endif
   } while (again);
@@ -139,24 +159,9 @@ bool composite_interval(Ray ray, Interval now, out float before) {
   return found > 0;
 }
 
-// The least and the greatest value that the field can have between two samples of a row of four. The lines that lead
-// to them from outside bound it, where it is convex there: also an extremum between the samples.
-#if EXTREMA
-float least_between(float f0, float f1, float f2, float f3) {
-  return min(min(f1, f2), max(2.0 * f1 - f0, 2.0 * f2 - f3));
-}
-float most_between(float f0, float f1, float f2, float f3) {
-  return max(max(f1, f2), min(2.0 * f1 - f0, 2.0 * f2 - f3));
-}
-#else
-float least_between(float f0, float f1, float f2, float f3) { return min(f1, f2); }
-float most_between(float f0, float f1, float f2, float f3) { return max(f1, f2); }
-#endif
-
 // The inner loop composites whole segments. A crossing cuts its segment; the next sample's piece then begins at the
-// cut, which is told to the inner loop as that sample's share of a step's extinction. Behind the last sample the exit
-// takes what is left. All that outlives the inner loop
-// is carried by it: Mesa 22.3's llvmpipe takes other values that were computed in a loop from its last lane.
+// cut. Behind the last sample the exit takes what is left. All that outlives the inner loop is carried by it: Mesa
+// 22.3's llvmpipe takes other values that were computed in a loop from its last lane.
 void march(Ray ray, Sampling s, int first, int last) {
   // Take up the march at the knot before the first interval; f0..f3 are the values of four samples in a row
   float t = sample_at(s, first - 1);
@@ -165,13 +170,13 @@ void march(Ray ray, Sampling s, int first, int last) {
   float f0 = first > 0 ? field(at(ray, sample_at(s, first - 2))) : f1;  // at the entry nothing is known of before
   float f3 = f2;
   if (first < s.n) f3 = field(at(ray, sample_at(s, first + 1)));
-  float share = 1.0;   // of a step that the next sample stands for
-  int cleared = -1;    // the interval whose crossings were composited
+  float next_piece = size_at(s, first);  // of the ray, that the sample after `a` stands for
+  int cleared = -1;                      // the interval whose crossings were composited
 #if DVR && SPLIT
-  float cut = first > 0 ? t : s.begin;  // where the piece of the sample `cut_sample` begins, which is no whole segment
+  float cut = first > 0 ? t : boundary_at(s, 0);  // where the piece of the sample `cut_sample` begins
   int cut_sample = first - 1;
   vec4 material = first > 0 ? material_at(ray, t, f1) : vec4(0.0);
-  material.a *= 0.5;   // the pass before ended at the sample
+  float piece = first > 0 ? boundary_at(s, first) - t : 0.0;  // a run before this one ended at the sample
 #endif
 
   int i = first;
@@ -179,21 +184,20 @@ void march(Ray ray, Sampling s, int first, int last) {
     while (i < last) {
       if (may_cross(least_between(f0, f1, f2, f3), most_between(f0, f1, f2, f3)) && i != cleared) break;
 #if DVR && SPLIT
-      composite(material.rgb, opacity_of(material.a * s.dt));
+      composite(material.rgb, opacity_of(material.a * piece));
       material = material_at(ray, sample_at(s, i), f2);
-      material.a *= share;
-      share = 1.0;
+      piece = next_piece;
       if (i < s.n) COUNT_DVR_SAMPLE;
 #elif DVR
       vec4 material = material_at(ray, sample_at(s, i), f2);
-      composite(material.rgb, opacity_of(i < s.n ? material.a * share * s.dt : 0.0));
-      if (i < s.n && share > 0.0) COUNT_DVR_SAMPLE;
-      share = 1.0;
+      composite(material.rgb, opacity_of(i < s.n ? material.a * next_piece : 0.0));
+      if (i < s.n && next_piece > 0.0) COUNT_DVR_SAMPLE;
 #endif
       f0 = f1;
       f1 = f2;
       f2 = f3;
       ++i;
+      next_piece = size_at(s, i);
       if (i < s.n) f3 = field(at(ray, sample_at(s, i + 1)));
       if (TERMINATED) i = last;
     }
@@ -202,32 +206,31 @@ void march(Ray ray, Sampling s, int first, int last) {
     Knot a = Knot(sample_at(s, i - 1), f1), b = Knot(sample_at(s, i), f2);
     float boundary = boundary_at(s, i), last_end = boundary_at(s, s.n);
 #if DVR && SPLIT
-    done = cut_sample == i - 1 ? cut : boundary - s.dt;
-    sample_material = vec4(material.rgb, i > 0 ? material.a * s.dt / (boundary - done) : 0.0);
+    done = cut_sample == i - 1 ? cut : boundary_at(s, i - 1);
+    sample_material = material;
 #endif
     bool crossed = composite_interval(ray, Interval(a, b, i == 0 ? f2 : f0, f3, boundary, last_end, i == 0), f1);
     cleared = i;
     if (crossed) {
 #if DVR && SPLIT
-      material.a = 0.0;
+      piece = 0.0;
       cut = done;
       cut_sample = i;
-      share = (min(boundary_at(s, i + 1), last_end) - done) / s.dt;
+      next_piece = min(boundary_at(s, i + 1), last_end) - done;
 #elif EXCLUSIVE
-      share = 0.0;
+      next_piece = 0.0;
 #endif
       if (TERMINATED) i = last;
     }
   }
-#if DVR && SPLIT && LONG_RAYS
-  // A pass that ends before the ray does ends at a sample; the next one begins there
+#if DVR && SPLIT && RUNS
+  // A run that ends before the ray does ends at a sample; the next one begins there
   if (last <= s.n && !TERMINATED) {
-    float end = boundary_at(s, last), begin = cut_sample == last - 1 ? cut : end - s.dt;
-    float before_sample = (end - 0.5 * s.dt - begin) / (end - begin);
-    composite(material.rgb, opacity_of(material.a * s.dt * before_sample));
+    float begin = cut_sample == last - 1 ? cut : boundary_at(s, last - 1);
+    composite(material.rgb, opacity_of(material.a * (middle_at(s, last - 1) - begin)));
   }
 #endif
 #if DVR && SPLIT
-  if (cut_sample == s.n) composite(material.rgb, opacity_of(material.a * s.dt));
+  if (cut_sample == s.n) composite(material.rgb, opacity_of(material.a * piece));
 #endif
 }

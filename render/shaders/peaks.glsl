@@ -13,7 +13,13 @@ struct Knot {
   float t, value;
 };
 
-uniform int max_peaks;  // crossings that one step composites
+// A step composites all its crossings; in the paper's form, as published, only so many.
+#if EXTREMA
+#define IS_FULL(found) false
+#else
+uniform int max_peaks;
+#define IS_FULL(found) (found >= max_peaks)
+#endif
 
 #if PEAK_TABLE
 // The table of entry and exit values, entry bin across and exit bin up: the least and the greatest isovalue that a
@@ -36,6 +42,15 @@ void find_candidates(float least, float most, out uint first, out uint count) {
   uint run = texelFetch(peak_runs, ivec2(bin_of(least), bin_of(most)), 0).r;
   first = run & 0xffffu;
   count = run >> 16;
+}
+
+// Whether a peak lies in [least, most] indeed.
+bool holds_peak(float least, float most) {
+  uint first, count;
+  find_candidates(least, most, first, count);
+  for (uint k = first; k < first + count; ++k)
+    if (peaks[k].value >= least && peaks[k].value <= most) return true;
+  return false;
 }
 #elif PEAK_LIST
 // So few that all of them are tested: their values, and beyond them infinity.

@@ -13,8 +13,8 @@ bool is_finite(const glm::vec4& p) {
 
 Verdict verdict_of(const Row& row) {
   const bool drawn_rightly = row.claim.empty == (row.covered == 0);
-  if (row.not_finite > 0 || !drawn_rightly || row.left_out > most_left_out * row.covered)
-    return Verdict::fail;
+  const bool most_compared = row.left_out <= most_left_out * row.covered;
+  if (row.not_finite > 0 || !drawn_rightly || !most_compared) return Verdict::fail;
   if (row.measured <= row.claim.bound) return Verdict::pass;
   const bool within_limit = row.claim.limit && row.measured <= row.claim.limit->bound;
   return within_limit ? Verdict::limited : Verdict::fail;
@@ -55,10 +55,10 @@ void Worst::take(double measured, std::string_view where) {
 
 Row judge(Claim claim, Worst measured, std::span<const Image> pictures, int left_out) {
   Row row;
+  row.left_out = left_out;
   row.claim = std::move(claim);
   row.measured = measured.value;
   row.at = std::move(measured.at);
-  row.left_out = left_out;
   row.picture = pictures.back();
   row.covered = row.claim.empty ? 0 : std::numeric_limits<int>::max();
   for (const Image& image : pictures) {

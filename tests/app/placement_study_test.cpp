@@ -168,7 +168,7 @@ TEST_F(PlacementStudy, WrongCommandLines) {
   expect_error(1, plain + Words{"--size", "20000x4"}, {"20000x4", "1..16384"});
   for (const char* budget : {"0s", "-1", "abc", "", "1e9", "10 s"})
     expect_error(2, study_to("out", {"--budget", budget}), {"--budget"});
-  expect_error(2, study_to("out", {"--budget", "10s"}), {"--budget", "placement", "--size"});
+  expect_error(2, study_to("out", {"--budget", "10s"}), {"--budget", "--study"});
   expect_error(2, study_to("out", {"--target-error", "rmse=0.1"}), {"--target-error"});
   expect_error(2, study_to("out", {"--preset", "onion"}), {"VOLUME", "preset"});
   expect_error(2, study_to("out", {"--set", "rendering.step=1"}), {"VOLUME"});

@@ -24,7 +24,9 @@ json sample() {
                  {"value": 120.5, "color": [1, 0.2, 0], "opacity": 0.9, "surface": {"mode": "on", "opacity": 0.75}},
                  {"value": 120.5, "opacity": 0.25}]},
     "rendering": {"mode": "PEAK_XOR_DVR", "peak_form": "paper", "engine": "raycaster", "step": 0.25,
-      "placement": "eye", "max_peaks": 2, "clip_box": {"min": [-1, 0, 0.5], "max": [1, 2, 3]}, "peak_bins": 64,  "shading": "gradient", "early_termination": 0.001, "background": [0.1, 0.2, 0.3]},
+      "classification": "preintegrated", "preintegration_bins": 512, "placement": "eye", "sampling": "footprint",
+      "s_k": 0.5, "adaptive": true, "skipping": false, "filter": "bspline", "root_filter": "bc", "bc_b": 1,
+      "bc_c": -0.25, "gradient": "filter", "max_peaks": 2, "clip_box": {"min": [-1, 0, 0.5], "max": [1, 2, 3]}, "peak_bins": 64,  "shading": "gradient", "early_termination": 0.001, "background": [0.1, 0.2, 0.3]},
     "camera": {"eye": [1, 2, 3], "target": [0, 0, 1], "up": [0, 1, 0], "fov_y_degrees": 45}})");
 }
 
@@ -57,7 +59,18 @@ TEST(ParsePreset, ReadsEveryField) {
   EXPECT_EQ(p.rendering.mode, Mode::peak_xor_dvr);
   EXPECT_EQ(p.rendering.peak_form, PeakForm::paper);
   EXPECT_EQ(p.rendering.step, 0.25);
+  EXPECT_EQ(p.rendering.classification, ClassificationMethod::preintegrated);
+  EXPECT_EQ(p.rendering.preintegration_bins, 512);
   EXPECT_EQ(p.rendering.placement, Placement::eye);
+  EXPECT_EQ(p.rendering.sampling, Sampling::footprint);
+  EXPECT_EQ(p.rendering.s_k, 0.5);
+  EXPECT_TRUE(p.rendering.adaptive);
+  EXPECT_FALSE(p.rendering.skipping);
+  EXPECT_EQ(p.rendering.filter, Filter::bspline);
+  EXPECT_EQ(p.rendering.root_filter, Filter::bc);
+  EXPECT_EQ(p.rendering.bc_b, 1);
+  EXPECT_EQ(p.rendering.bc_c, -0.25);
+  EXPECT_EQ(p.rendering.gradient, Gradient::filter);
   EXPECT_EQ(p.rendering.clip_box, (ClipBox{{-1, 0, 0.5}, {1, 2, 3}, ""}));
   EXPECT_EQ(p.rendering.max_peaks, 2);
   EXPECT_EQ(p.rendering.peak_bins, 64);
@@ -193,6 +206,9 @@ TEST(ParsePreset, RefusesWrongFieldsWithTheirPath) {
        "rendering.clip_box.min: [0,0] is not an array of 3 numbers"},
       {"/rendering/max_peaks", "2.5", "rendering.max_peaks: 2.5 is not a whole number"},
       {"/rendering/max_peaks", "65", "rendering.max_peaks: 65 is not in [1, 64]"},
+      {"/rendering/adaptive", "1", "rendering.adaptive: 1 is not true or false"},
+      {"/rendering/root_filter", "\"cubic\"",
+       "rendering.root_filter: \"cubic\" is not one of: linear, linear_exact, bspline, bc"},
       {"/rendering/peak_bins", "1e200", "rendering.peak_bins: 1e+200 is not in [1, 4096]"},
       {"/camera/fov_y_degrees", "180", "camera.fov_y_degrees: 180 is not in (0, 180)"},
       {"/camera/eye", "\"0,0,0\"", "camera.eye: \"0,0,0\" is not an array of 3 numbers"},

@@ -43,6 +43,17 @@ inline Preset random_preset(std::mt19937& random) {
   rendering.max_peaks = 1 + int(random() % 64);
   rendering.peak_bins = random() % 2 ? 128 : 1 + int(random() % 4096);
   rendering.placement = Placement(random() % 4);
+  rendering.classification = ClassificationMethod(random() % 3);
+  rendering.preintegration_bins = 2 + int(random() % 2047);
+  rendering.sampling = Sampling(random() % 3);
+  rendering.s_k = random() % 2 ? 4 : unit(random) + 0.001;
+  rendering.adaptive = random() % 2;
+  rendering.skipping = random() % 2;
+  rendering.filter = Filter(random() % 4);
+  if (random() % 2) rendering.root_filter = Filter(random() % 4);
+  rendering.bc_b = unit(random) * 2;
+  rendering.bc_c = unit(random) - 0.5;
+  rendering.gradient = Gradient(random() % 2);
   if (random() % 2) {
     const glm::dvec3 a = vector(), b = vector();
     rendering.clip_box = ClipBox{glm::min(a, b), glm::max(a, b), random() % 2 ? "" : R"({"tilt":0.5})"};

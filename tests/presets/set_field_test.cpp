@@ -71,10 +71,11 @@ TEST(SetField, ReplacesAllPoints) {
 }
 
 TEST(SetField, RefusesWhatIsNotThere) {
-  EXPECT_EQ(
-      error_of("rendering.stp=1"),
-      "rendering.stp: no field \"stp\"; rendering has: mode, peak_form, engine, step, placement, max_peaks, "
-      "peak_bins, shading, early_termination, clip_box, background");
+  EXPECT_EQ(error_of("rendering.stp=1"),
+            "rendering.stp: no field \"stp\"; rendering has: mode, peak_form, engine, classification, "
+            "preintegration_bins, step, placement, sampling, s_k, adaptive, skipping, filter, root_filter, "
+            "bc_b, bc_c, "
+            "max_peaks, peak_bins, shading, gradient, early_termination, clip_box, background");
   EXPECT_EQ(
       error_of("render.step=1"),
       "render.step: no field \"render\"; a preset has: format, version, name, notes, transfer_function, "
@@ -103,6 +104,23 @@ TEST(SetField, RefusesWrongValues) {
   EXPECT_EQ(error_of("transfer_function.points=[]"),
             "transfer_function.points: holds no point: a transfer function needs at least one");
   EXPECT_EQ(error_of("version=2"), "version: 2 is not 1, the version that this program reads");
+}
+
+TEST(AssignmentsBetween, MakeOneRenderingOfAnother) {
+  Rendering other;
+  other.mode = Mode::peak_only;
+  other.step = 0.1;
+  other.background = {0, 0.5, 1};
+  other.clip_box = ClipBox{{0, 0, 0}, {1, 2, 3}, ""};
+  EXPECT_TRUE(assignments_between(other, other).empty());
+  for (const auto& [from, to] : {std::pair(Rendering{}, other), {other, Rendering{}}}) {
+    Preset preset = plain();
+    preset.rendering = from;
+    const auto assignments = assignments_between(from, to);
+    EXPECT_EQ(assignments.size(), 4u);
+    for (const std::string& assignment : assignments) preset = set_field(preset, assignment);
+    EXPECT_EQ(preset.rendering, to);
+  }
 }
 
 }  // namespace

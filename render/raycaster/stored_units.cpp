@@ -1,4 +1,4 @@
-#include "render/classify/stored_units.h"
+#include "render/raycaster/stored_units.h"
 
 #include <cmath>
 
