@@ -22,6 +22,7 @@ struct LabelledPicture {
   Image image;
   std::string label;
   nlohmann::ordered_json statistics;
+  std::vector<std::string> warnings;
 };
 
 struct Comparison {
@@ -54,7 +55,10 @@ Comparison compare_by_raycaster(const std::vector<Scene>& scenes, const Camera& 
   Comparison comparison{{}, context.renderer()};
   auto& pictures = comparison.pictures;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    pictures.push_back({std::move(measured[i].image), std::string(name_of(scenes[i].rendering.mode)), {}});
+    pictures.push_back({std::move(measured[i].image),
+                        std::string(name_of(scenes[i].rendering.mode)),
+                        {},
+                        measured[i].warnings});
     if (options.json) pictures.back().statistics = statistics_json(measured[i], raycaster, scenes[i]);
   }
   return comparison;
@@ -68,7 +72,7 @@ Comparison compare_exactly(const std::vector<Scene>& scenes, const Camera& camer
     comparison.pictures.push_back(
         {exact[i].reference.image(),
          fmt::format("{}: {}", name_of(scenes[i].rendering.mode), name_of(exact[i].answer)),
-         statistics_json(exact[i], scenes[i])});
+         statistics_json(exact[i], scenes[i]), exact[i].warnings});
   return comparison;
 }
 
@@ -87,6 +91,10 @@ void compare_modes(const CompareOptions& options) {
   Comparison comparison = compare(scenes, camera_of(preset, *volume), options.picture);
   write_image(options.picture.output, grid_of(comparison.pictures, preset.rendering.background),
               preset.rendering.background);
+  std::vector<std::string> warnings;
+  for (const auto& picture : comparison.pictures)
+    warnings.insert(warnings.end(), picture.warnings.begin(), picture.warnings.end());
+  print_warnings(warnings);
   if (!options.picture.json) return;
   nlohmann::ordered_json json;
   for (auto& picture : comparison.pictures) json["modes"].push_back(std::move(picture.statistics));
