@@ -31,7 +31,7 @@ bool ViewRequest::operator==(const ViewRequest& other) const {
          scene.rendering == other.scene.rendering && camera == other.camera && size == other.size;
 }
 
-ViewRenderer::ViewRenderer(std::filesystem::path shader_folder) : raycaster_(std::move(shader_folder)) {}
+ViewRenderer::ViewRenderer(std::filesystem::path shader_folder) : renderer_(std::move(shader_folder)) {}
 
 void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, double budget_ms,
                         bool interactive) {
@@ -123,8 +123,8 @@ void ViewRenderer::draw_slice(View& view, double wanted_ms) {
   const int rows = std::max(int(std::min(wanted_ms / (ms_per_pixel * size.x), 1e6)), 4);
   const Tile tile{{0, pass.next_row}, {size.x, std::min(pass.next_row + rows, size.y)}};
   const double ms = finished_ms([&] {
-    raycaster_.draw(coarse_scene(pass.request.scene, pass.coarseness), pass.request.camera, *pass.target,
-                    tile);
+    renderer_.draw(coarse_scene(pass.request.scene, pass.coarseness), pass.request.camera, *pass.target,
+                   tile);
   });
   const double pixels = double(tile.end.x) * (tile.end.y - tile.begin.y);
   ms_per_pixel = std::max(1e-7, 0.5 * ms_per_pixel + 0.5 * ms / pixels);
@@ -153,7 +153,7 @@ void ViewRenderer::finish_pass(View& view) {
 
 void ViewRenderer::count_costs(View& view) {
   gl::RenderTarget target(coarse_size(view.wanted.size, count_coarseness), true);
-  view.counts = raycaster_.draw_counted(view.wanted.scene, view.wanted.camera, target);
+  view.counts = sum_of(renderer_.draw_counts(view.wanted.scene, view.wanted.camera, target));
   view.is_counted = true;
 }
 

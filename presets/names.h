@@ -33,8 +33,8 @@ struct EnumNames<PeakForm> {
 };
 template <>
 struct EnumNames<Engine> {
-  static constexpr Named<Engine> table[] = {{Engine::raycaster, "raycaster"},
-                                            {Engine::reference, "reference"}};
+  static constexpr Named<Engine> table[] = {
+      {Engine::raycaster, "raycaster"}, {Engine::vdls, "vdls"}, {Engine::reference, "reference"}};
 };
 template <>
 struct EnumNames<Placement> {

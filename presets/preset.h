@@ -12,7 +12,7 @@ namespace crest {
 enum class Mode { both, peak_xor_dvr, peak_only, dvr_only };
 /// How a step that holds crossings is integrated: as published, or divided at its crossings.
 enum class PeakForm { split, paper };
-enum class Engine { raycaster, reference };
+enum class Engine { raycaster, vdls, reference };
 /// Where a ray's samples lie (Steneteg et al., Listings 1 to 4): one step apart, at whole steps from the eye
 /// or midpoints of whole steps from the entry, as long as they lie within, so that their segments stick out
 /// or fall short by up to half a step; or in equal segments from entry to exit, rounded down (none in a

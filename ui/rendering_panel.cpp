@@ -103,8 +103,9 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
   changed |= color_square(widgets, "##background", r.background);
   row("Mode in the file", "The mode that the preset is rendered in elsewhere; the views show all four");
   changed |= choice(widgets, "##mode", r.mode, field);
-  row("Engine in the file",
-      "What renders the preset elsewhere (crest render and compare); the views are always drawn by the ray "
+  row("Engine",
+      "raycaster\nvdls - view-dependent layer sampling: draws the DVR_ONLY view, and the ray caster the "
+      "others\nreference - the exact answer (crest render and compare); the views are drawn by the ray "
       "caster");
   changed |= choice(widgets, "##engine", r.engine, field);
   ImGui::EndTable();

@@ -1,0 +1,54 @@
+// Some layers of a picture by VDLS, one after the other (sections 3.2, 3.3, 4.3): their samples are shaded, composited and
+// blended with what the passes before left; the layer's samples move on.
+
+#include "ray.glsl"
+#include "field.glsl"
+#include "transfer_function.glsl"
+#include "compositing.glsl"
+#include "shading.glsl"
+#include "vdls_samples.glsl"
+
+layout(location = 0) out vec4 out_color;
+layout(location = 1) out ivec4 next_layer_sample;
+uniform isampler2D layer_samples, delta_vectors;
+uniform int first_layer;  // of this pass
+
+#if GRADIENT_VOLUME
+uniform sampler3D gradients;  // in any unit
+vec3 gradient_at(vec3 position) { return texture(gradients, position * texture_scale + texture_offset).xyz; }
+#elif SHADING
+vec3 gradient_at(vec3 position) { return gradient(position); }
+#endif
+
+// In the order in which the layers are met.
+void blend(vec3 color, float alpha) {
+#if BACK_TO_FRONT
+  collected = alpha * vec4(color, 1.0) + (1.0 - alpha) * collected;
+#else
+  composite(color, alpha);
+#endif
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec4 delta = texelFetch(delta_vectors, pixel, 0);
+#if EARLY_TEST
+  if (first_layer >= delta.w) discard;  // outside of the volume
+#endif
+  ivec4 current = texelFetch(layer_samples, pixel, 0);
+  float dt = intBitsToFloat(current.w);
+#if SHADING
+  vec3 direction = pixel_ray().direction;
+#endif
+  for (int layer = 0; layer < LAYERS; ++layer) {
+    vec3 position = vec3(current.xyz) * fixed_unit;
+    vec4 material = classify(field(position));
+#if SHADING
+    material.rgb *= light(gradient_at(position), direction);
+#endif
+    blend(material.rgb, first_layer + layer < delta.w ? opacity_of(material.a * dt) : 0.0);
+    current.xyz += delta.xyz;
+  }
+  out_color = collected;
+  next_layer_sample = current;
+}
