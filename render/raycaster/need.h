@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <glm/vec2.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +36,7 @@ struct Need {
   Features needed;       ///< the same, but for those that were forced in
   FeatureList list;
   TfTableSize tf_table;  ///< where features.dvr
+  double tf_blur = 0;    ///< how far in value an entry of its table reaches: 0 without DVR
   int peak_bins = 0;     ///< of the peak table on each axis, where there is one
   /// Intervals of the longest ray, and how many of them a pass renders: some drivers end long loops in
   /// silence.
@@ -52,11 +55,16 @@ struct Forced {
   int intervals_per_pass = 0;  ///< at most; 0 = as many as drivers allow
 };
 
+/// The share of the macrocells that may show something of these features; `blur` as in Shown (occupancy.h).
+using OccupiedShare = std::function<double(const Features& features, double blur)>;
+
 /// The one function that decides, from the volume's grid and statistics, the TF's peaks, the settings, the
-/// camera with its picture's width by its height, and whether costs are to be counted. It takes O(points of
-/// the TF) and some microseconds. Throws Error for a camera that has no picture.
+/// camera with its picture's size, and whether costs are to be counted. It takes O(points of the TF) and some
+/// microseconds, and what `occupied_share` takes, where that is asked; without it nothing is skipped. Throws
+/// Error for a camera that has no picture.
 Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
-               const Camera& camera, double aspect, bool statistics, const Forced& forced = {});
+               const Camera& camera, glm::ivec2 size, bool statistics, const Forced& forced = {},
+               const OccupiedShare& occupied_share = {});
 
 /// What a device holds for it.
 std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Classification& classification);

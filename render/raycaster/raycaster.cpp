@@ -10,6 +10,7 @@
 #include "render/camera.h"
 #include "render/gl/program_cache.h"
 #include "render/gl/uniforms.h"
+#include "render/raycaster/macrocell_store.h"
 #include "render/raycaster/table_textures.h"
 #include "render/raycaster/view_uniforms.h"
 #include "render/raycaster/volume_texture.h"
@@ -19,7 +20,14 @@ namespace {
 
 using gl::set;
 
-enum Unit : GLuint { volume_unit, empty_cells_unit, tf_unit, peak_table_unit, peak_runs_unit };
+enum Unit : GLuint {
+  volume_unit,
+  empty_cells_unit,
+  macrocells_unit,
+  tf_unit,
+  peak_table_unit,
+  peak_runs_unit
+};
 
 void set_few_peaks(GLuint program, const std::vector<Peak>& peaks) {
   glm::vec4 values(std::numeric_limits<float>::infinity());
@@ -57,6 +65,7 @@ struct Raycaster::State {
 
   std::optional<Classification> classification;
   Tables tables;
+  MacrocellStore macrocells;
   Tables no_tables;  ///< of a TF that shows nothing, for what is forced in
 
   Forced forced;
@@ -65,6 +74,7 @@ struct Raycaster::State {
   void take_classification(const Scene& scene);
   Need need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics);
   void bind(const Scene& scene, const Need& need, GLuint program);
+  void bind_macrocells(const Scene& scene, const Need& need, GLuint program);
   void bind_tf(const Need& need, GLuint program);
   void bind_peaks(const Need& need, GLuint program);
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
@@ -77,6 +87,7 @@ void Raycaster::State::take_volume(const Scene& scene) {
   if (volume == scene.volume) return;
   classification.reset();
   volume.reset();
+  macrocells.forget_volume();
   values = {};  // the old one's room first
   empty_cells = {};
   units = stored_units(scene.volume->statistics.range);
@@ -89,12 +100,16 @@ void Raycaster::State::take_classification(const Scene& scene) {
   if (classification && classification->tf == scene.tf) return;
   classification = classify(scene.tf, scene.volume->statistics.range);
   tables = {};
+  macrocells.forget_tf();
 }
 
 Need Raycaster::State::need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics) {
   take_classification(scene);
-  return find_need(*scene.volume, *classification, scene.rendering, camera, double(size.x) / size.y,
-                   statistics, forced);
+  const auto occupied_share = [&](const Features& features, double blur) {
+    return macrocells.occupied_share(*scene.volume, *classification, scene.rendering, features, blur);
+  };
+  return find_need(*scene.volume, *classification, scene.rendering, camera, size, statistics, forced,
+                   occupied_share);
 }
 
 void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program) {
@@ -106,6 +121,7 @@ void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program
     glBindTextureUnit(empty_cells_unit, empty_cells.id());
     set(program, "empty_cells", int(empty_cells_unit));
   }
+  if (features.skipping || features.adaptive) bind_macrocells(scene, need, program);
   if (features.dvr) bind_tf(need, program);
   if (features.peaks) bind_peaks(need, program);
   // What is forced in does not show
@@ -113,6 +129,17 @@ void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program
   set(program, "least_residual",
       need.needed.early_termination ? float(scene.rendering.early_termination) : 0.0f);
   set(program, "shading_strength", need.needed.shading ? 1.0f : 0.0f);
+}
+
+void Raycaster::State::bind_macrocells(const Scene& scene, const Need& need, GLuint program) {
+  Features features = need.needed;  // what is forced in does not show
+  features.skipping = need.features.skipping;
+  glBindTextureUnit(macrocells_unit,
+                    macrocells.texture(*volume, *classification, scene.rendering, features, need.tf_blur));
+  set(program, "macrocells", int(macrocells_unit));
+  const Grid& grid = volume->grid;
+  set(program, "macrocell_size",
+      glm::vec3(grid.spacing / grid.smallest_spacing() * double(MacrocellStore::side(*volume))));
 }
 
 void Raycaster::State::bind_tf(const Need& need, GLuint program) {

@@ -2,7 +2,7 @@
 // each leaf of the screen quadtree (section 4.2). The samples are the ray caster's, from the same functions.
 
 #include "ray.glsl"
-#include "placement.glsl"
+#include "sampling.glsl"
 #include "vdls_samples.glsl"
 
 layout(location = 0) out vec4 out_color;

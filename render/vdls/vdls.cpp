@@ -72,7 +72,7 @@ struct Vdls::State {
   VdlsWork work;
 
   void take(const Scene& scene);
-  const Box& visible_part();
+  Box visible_part(const Rendering& rendering);
   GLuint setup_program(bool counts);
   GLuint layers_program(const Rendering& rendering);
   void bind_volume(const Rendering& rendering, GLuint program);
@@ -95,6 +95,7 @@ std::string why_not_vdls(const Scene& scene) {
         only("classification", defaults.classification, r.classification),
         only("filter", defaults.filter, r.filter)})
     if (!why.empty()) return why;
+  if (r.adaptive) return "the vdls engine takes all steps alike, and rendering.adaptive is true";
   if (scene.volume->has_empty_cells())
     return fmt::format(
         "the vdls engine renders volumes in which each voxel has a value, and {} has {} without",
@@ -123,10 +124,10 @@ void Vdls::State::take(const Scene& scene) {
 }
 
 // A bucket is visible if the TF is anywhere in it, or within an entry of its table, which interpolates.
-const Box& Vdls::State::visible_part() {
-  if (visible) return *visible;
+Box Vdls::State::visible_part(const Rendering& rendering) {
   const Grid& grid = volume->grid;
-  if (!options.homo_regions) return visible.emplace(Box{grid.box_min(), grid.box_max()});
+  if (!options.homo_regions || !rendering.skipping) return {grid.box_min(), grid.box_max()};
+  if (visible) return *visible;
   if (!homo) homo = find_homo_regions(*volume);
   const double entry = 1.001 * tf.range.width() / (tf.entries - 1) / units.scale;
   return visible.emplace(visible_box(*homo, grid, [&](ValueRange bucket) {
@@ -161,7 +162,7 @@ std::vector<std::uint32_t> Vdls::State::set_up(const Scene& scene, const Camera&
   const gl::BufferHandle buffer = make_buffer(counts.size() * sizeof counts[0], counts.data());
   const GLuint program = setup_program(target.has_counts());
   const Grid& grid = volume->grid;
-  const Box& part = visible_part();
+  const Box part = visible_part(scene.rendering);
   set_view(program, scene, camera, target.size());
   set(program, "fixed_unit", fixed_unit(grid));
   set(program, "leaf_side", leaves.side);
@@ -187,7 +188,8 @@ Proxy Vdls::State::make_proxy(const Scene& scene, const Camera& camera, glm::ive
     proxy = proxy_of(work.nodes);
   } else {
     Box box = rendered_box(volume->grid, scene.rendering.clip_box);
-    box = {glm::max(box.min, visible_part().min), glm::min(box.max, visible_part().max)};
+    const Box part = visible_part(scene.rendering);
+    box = {glm::max(box.min, part.min), glm::min(box.max, part.max)};
     proxy = proxy_of(box, camera, size, int(std::ranges::max(counts)));
   }
   const int per_pass = options.layers_per_pass;
@@ -252,10 +254,7 @@ Vdls::Vdls(std::filesystem::path shader_folder) : state_(std::make_unique<State>
 Vdls::~Vdls() = default;
 Vdls::Vdls(Vdls&&) noexcept = default;
 
-void Vdls::set_options(const VdlsOptions& options) {
-  state_->options = options;
-  state_->visible.reset();
-}
+void Vdls::set_options(const VdlsOptions& options) { state_->options = options; }
 
 void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
   if (const std::string why = why_not_vdls(scene); !why.empty()) throw Error(why);
@@ -286,8 +285,9 @@ PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
       need.list.left_out.emplace_back(name, why_not);
   };
   const char* off = "it is switched off";
+  const bool leaps = o.homo_regions && scene.rendering.skipping;
   add(true, "layers", "");
-  add(o.homo_regions, "homo_regions", off);
+  add(leaps, "homo_regions", o.homo_regions ? "rendering.skipping is off" : off);
   add(o.leaves > 0, "screen_quadtree", off);
   add(o.early_test, "early_outside_volume_test", off);
   add(o.layers_per_pass > 1, "segmented_traversal", off);

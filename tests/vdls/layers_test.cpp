@@ -79,12 +79,14 @@ TEST_F(Layers, ClipBoxesAndOddGrids) {
 
 // The counts are the ray caster's, but for the transparent samples that are leapt over.
 TEST_F(Layers, Counts) {
-  const Scene scene = dvr_scene(builtin("sphere?n=24"), "smooth-haze");
+  Scene scene = dvr_scene(builtin("sphere?n=24"), "smooth-haze");
   const Camera camera = whole_volume_camera(scene.volume->grid);
+  scene.rendering.skipping = false;
   const auto expected = counts(scene, camera, {32, 32}, Engine::raycaster);
   renderer.vdls().set_options(VdlsOptions::basic());
   const auto all = counts(scene, camera, {32, 32}, Engine::vdls);
   renderer.vdls().set_options({});
+  scene.rendering.skipping = true;
   const auto leapt = counts(scene, camera, {32, 32}, Engine::vdls);
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_EQ(all[i].samples, expected[i].samples);
