@@ -15,10 +15,18 @@ constexpr Method table[] = {
     {"dvr-entry-exit", "DVR, equal steps, rounded down", "mode=DVR_ONLY placement=entry_exit"},
     {"dvr-entry", "DVR, steps counted from the entry", "mode=DVR_ONLY placement=entry"},
     {"dvr-eye", "DVR, steps counted from the eye", "mode=DVR_ONLY placement=eye"},
+    {"dvr-differential", "DVR, steps as published (s_k = 8 step)", "mode=DVR_ONLY sampling=differential", true, 8},
+    {"dvr-footprint", "DVR, steps by footprint (s_k = 8 step)", "mode=DVR_ONLY sampling=footprint", true, 8},
+    {"dvr-adaptive", "DVR, steps joined where smooth", "mode=DVR_ONLY adaptive=true"},
     {"peaks", "Peaks alone, divided steps", "mode=PEAK_ONLY peak_form=split"},
     {"peaks-paper", "Peaks alone, as published", "mode=PEAK_ONLY peak_form=paper"},
     {"xor", "Peaks and base TF, divided steps", "mode=PEAK_XOR_DVR peak_form=split"},
     {"xor-paper", "Peaks or samples, as published", "mode=PEAK_XOR_DVR peak_form=paper"},
+    {"xor-differential", "Peaks and base TF, steps as published (s_k = 8 step)",
+     "mode=PEAK_XOR_DVR sampling=differential", true, 8},
+    {"xor-footprint", "Peaks and base TF, steps by footprint (s_k = 8 step)",
+     "mode=PEAK_XOR_DVR sampling=footprint", true, 8},
+    {"xor-adaptive", "Peaks and base TF, steps joined where smooth", "mode=PEAK_XOR_DVR adaptive=true"},
     {"both", "Peaks and DVR, divided steps", "mode=both peak_form=split"},
     {"both-paper", "Peaks and DVR, as published", "mode=both peak_form=paper"},
 };
@@ -46,7 +54,10 @@ std::vector<std::string> assignments_of(const Method& method, double step) {
   std::vector<std::string> assignments;
   for (const std::string_view word : words_of(method.settings))
     assignments.push_back(fmt::format("rendering.{}", word));
-  if (method.has_step) assignments.push_back(fmt::format("rendering.step={}", step));
+  if (method.s_k_per_step > 0)
+    assignments.push_back(fmt::format("rendering.s_k={}", step * method.s_k_per_step));
+  else if (method.has_step)
+    assignments.push_back(fmt::format("rendering.step={}", step));
   return assignments;
 }
 
@@ -66,7 +77,8 @@ Rendering with_method(const Rendering& scene, const Method& method, double step)
   rendering.shading = scene.shading;
   rendering.early_termination = scene.early_termination;
   rendering.unknown = scene.unknown;
-  if (!method.has_step) rendering.step = scene.step;
+  if (!method.has_step || method.s_k_per_step > 0) rendering.step = scene.step;
+  if (method.s_k_per_step == 0) rendering.s_k = scene.s_k;
   return rendering;
 }
 

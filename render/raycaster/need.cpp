@@ -125,7 +125,7 @@ std::string Scenery::why_no_early_termination(const Features& features) const {
              (longest_ray + steps.longest) * grid.smallest_spacing();
   if (features.peaks) {
     const double opacity = std::ranges::max(surfaces(), {}, &Peak::opacity).opacity;
-    const double most = std::min(rendering.max_peaks, 2 * int(surfaces().size()));
+    const double most = is_split() ? 2 * int(surfaces().size()) : rendering.max_peaks;
     depth -= std::log1p(-opacity) * most * (steps.most + 2 * spans(features));
   }
   const double least = std::exp(-depth);
