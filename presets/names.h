@@ -72,6 +72,15 @@ struct EnumNames<Shading> {
   static constexpr Named<Shading> table[] = {{Shading::none, "none"}, {Shading::gradient, "gradient"}};
 };
 template <>
+struct EnumNames<Illumination> {
+  static constexpr Named<Illumination> table[] = {{Illumination::semi_transparent, "semi_transparent"},
+                                                  {Illumination::lookup, "lookup"},
+                                                  {Illumination::iso_surface, "iso_surface"},
+                                                  {Illumination::maximum, "maximum"},
+                                                  {Illumination::minimum, "minimum"},
+                                                  {Illumination::mean, "mean"}};
+};
+template <>
 struct EnumNames<Domain> {
   static constexpr Named<Domain> table[] = {{Domain::data, "data"}, {Domain::normalized, "normalized"}};
 };

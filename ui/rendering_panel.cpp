@@ -86,7 +86,8 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
       "one falls short or sticks out");
   changed |= choice(widgets, "##placement", r.placement, field);
   row("Sampling",
-      "How long a ray's steps are:\nuniform - all of the length above\ndifferential - growing with the distance from "
+      "How long a ray's steps are:\nuniform - all of the length above\ndifferential - growing with the "
+      "distance from "
       "the eye (Knoll et al. 2009)\nfootprint - in proportion to what a pixel covers");
   changed |= choice(widgets, "##sampling", r.sampling, field);
   if (r.sampling != Sampling::uniform) {
@@ -101,12 +102,21 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
       "How a step with crossings is integrated:\nsplit - divided at its crossings (second order)\npaper - as "
       "published (first order)");
   changed |= choice(widgets, "##peak form", r.peak_form, field);
-  row("Most peaks a step", "Crossings that one step composites at most in the paper's form; the split form composites all");
+  row("Most peaks a step",
+      "Crossings that one step composites at most in the paper's form; the split form composites all");
   changed |= integer_field(widgets, "##max peaks", r.max_peaks, 1, 64, field);
   row("Table bins", "Bins of the peak table on each axis");
   changed |= integer_field(widgets, "##peak bins", r.peak_bins, 1, 4096, field);
   row("Shading", "none, or by the gradient with a light at the eye");
   changed |= choice(widgets, "##shading", r.shading, field);
+  row("Illumination",
+      "What a sample contributes to its ray:\nsemi_transparent - the integral of the transfer "
+      "function\nlookup - "
+      "its opacity as it is, whatever the step\niso_surface - white and opaque where the transfer function "
+      "has half "
+      "its greatest opacity\nmaximum, minimum, mean - of the values, as a grey\nAll but the first show no "
+      "peaks");
+  changed |= choice(widgets, "##illumination", r.illumination, field);
   row("Early termination", "Residual transmittance at which a ray stops; 0 = never");
   changed |= number_field(widgets, "##early termination", r.early_termination, {0, 1}, field);
   changed |= clip_rows(widgets, r.clip_box, inputs.volume, field);

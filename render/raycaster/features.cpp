@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "presets/names.h"
 
 namespace crest {
@@ -39,6 +42,11 @@ std::vector<std::string> shader_defines(const Features& features) {
   add("PLACEMENT_EYE", features.placement == Placement::eye);
   add("PLACEMENT_ENTRY", features.placement == Placement::entry);
   add("PLACEMENT_ENTRY_EXIT", features.placement == Placement::entry_exit);
+  for (const auto& [illumination, name] : names_of<Illumination>()) {
+    std::string define = fmt::format("ILLUMINATION_{}", name);
+    std::ranges::transform(define, define.begin(), [](char c) { return char(std::toupper(c)); });
+    add(define.c_str(), features.illumination == illumination);
+  }
   return defines;
 }
 
@@ -48,6 +56,8 @@ std::vector<std::string> feature_names(const Features& features) {
     if (features.*feature.in) names.emplace_back(feature.name);
   if (features.placement != Placement::entry_exit_corner)
     names.push_back(fmt::format("placement_{}", name_of(features.placement)));
+  if (features.illumination != Illumination::semi_transparent)
+    names.push_back(fmt::format("illumination_{}", name_of(features.illumination)));
   return names;
 }
 

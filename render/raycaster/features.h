@@ -29,6 +29,7 @@ struct Features {
   bool long_rays = false;     ///< drawn in several passes
   bool statistics = false;
   Placement placement = Placement::entry_exit_corner;
+  Illumination illumination = Illumination::semi_transparent;
 
   bool operator==(const Features&) const = default;
 };

@@ -10,6 +10,7 @@
 #include "render/camera.h"
 #include "render/gl/program_cache.h"
 #include "render/gl/uniforms.h"
+#include "render/raycaster/illumination.h"
 #include "render/raycaster/macrocell_store.h"
 #include "render/raycaster/table_textures.h"
 #include "render/raycaster/view_uniforms.h"
@@ -123,6 +124,7 @@ void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program
   }
   if (features.skipping || features.adaptive) bind_macrocells(scene, need, program);
   if (features.dvr) bind_tf(need, program);
+  if (features.illumination != Illumination::semi_transparent) bind_illumination(program, scene, units);
   if (features.peaks) bind_peaks(need, program);
   // What is forced in does not show
   set(program, "max_peaks", scene.rendering.max_peaks);
@@ -221,7 +223,7 @@ void Raycaster::State::draw_passes(const Scene& scene, const Camera& camera, con
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
-  glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);  // a later pass lies behind
+  set_blending(needs.features.illumination, false);
   glBindVertexArray(vertex_array.id());
   glUseProgram(id);
   for (int pass = 0; pass < needs.passes(); ++pass) {

@@ -8,6 +8,14 @@
 #include "shading.glsl"
 #include "vdls_samples.glsl"
 
+#if BACK_TO_FRONT
+#define COMPOSITE composite_before
+void composite_before(vec3 color, float alpha) {
+  collected = alpha * vec4(color, 1.0) + (1.0 - alpha) * collected;
+}
+#endif
+#include "illumination.glsl"
+
 layout(location = 0) out vec4 out_color;
 layout(location = 1) out ivec4 next_layer_sample;
 uniform isampler2D layer_samples, delta_vectors;
@@ -20,15 +28,6 @@ vec3 gradient_at(vec3 position) { return texture(gradients, position * texture_s
 vec3 gradient_at(vec3 position) { return gradient(position); }
 #endif
 
-// In the order in which the layers are met.
-void blend(vec3 color, float alpha) {
-#if BACK_TO_FRONT
-  collected = alpha * vec4(color, 1.0) + (1.0 - alpha) * collected;
-#else
-  composite(color, alpha);
-#endif
-}
-
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   ivec4 delta = texelFetch(delta_vectors, pixel, 0);
@@ -37,16 +36,17 @@ void main() {
 #endif
   ivec4 current = texelFetch(layer_samples, pixel, 0);
   float dt = intBitsToFloat(current.w);
+  collected = nothing_gathered;
 #if SHADING
   vec3 direction = pixel_ray().direction;
 #endif
   for (int layer = 0; layer < LAYERS; ++layer) {
     vec3 position = vec3(current.xyz) * fixed_unit;
-    vec4 material = classify(field(position));
+    float value = field(position), lit = 1.0;
 #if SHADING
-    material.rgb *= light(gradient_at(position), direction);
+    lit = light(gradient_at(position), direction);
 #endif
-    blend(material.rgb, first_layer + layer < delta.w ? opacity_of(material.a * dt) : 0.0);
+    if (first_layer + layer < delta.w) gather(value, lit, dt, 1.0 / float(delta.w));
     current.xyz += delta.xyz;
   }
   out_color = collected;

@@ -11,6 +11,7 @@
 #include "presets/names.h"
 #include "render/gl/program_cache.h"
 #include "render/gl/uniforms.h"
+#include "render/raycaster/illumination.h"
 #include "render/raycaster/table_textures.h"
 #include "render/raycaster/view_uniforms.h"
 #include "render/raycaster/volume_texture.h"
@@ -66,16 +67,20 @@ struct Vdls::State {
   std::optional<TransferFunction> shown;
   TfTableSize table_size;
   TfTexture tf;
-  std::optional<Box> visible;  ///< what homo-regions leave of the volume
+  std::optional<Box> visible;    ///< what homo-regions leave of the volume,
+  Illumination visible_by = {};  ///< for this filter
 
   LayerTextures layers;
   VdlsWork work;
 
   void take(const Scene& scene);
   Box visible_part(const Rendering& rendering);
-  GLuint setup_program(bool counts);
+  bool is_shaded(const Rendering& rendering) const {
+    return rendering.shading == Shading::gradient && !shows_values(rendering.illumination);
+  }
+  GLuint setup_program(const Rendering& rendering, bool counts);
   GLuint layers_program(const Rendering& rendering);
-  void bind_volume(const Rendering& rendering, GLuint program);
+  void bind_volume(const Scene& scene, GLuint program);
   std::vector<std::uint32_t> set_up(const Scene& scene, const Camera& camera, const gl::RenderTarget& target);
   Proxy make_proxy(const Scene& scene, const Camera& camera, glm::ivec2 size,
                    const std::vector<std::uint32_t>& counts);
@@ -123,20 +128,28 @@ void Vdls::State::take(const Scene& scene) {
   visible.reset();
 }
 
-// A bucket is visible if the TF is anywhere in it, or within an entry of its table, which interpolates.
+// A bucket is visible if the TF shows a value in it, or within an entry of its table, which interpolates.
 Box Vdls::State::visible_part(const Rendering& rendering) {
   const Grid& grid = volume->grid;
-  if (!options.homo_regions || !rendering.skipping) return {grid.box_min(), grid.box_max()};
-  if (visible) return *visible;
+  const Illumination illumination = rendering.illumination;
+  if (!options.homo_regions || !rendering.skipping || shows_values(illumination))
+    return {grid.box_min(), grid.box_max()};
+  if (visible && visible_by == illumination) return *visible;
+  visible_by = illumination;
   if (!homo) homo = find_homo_regions(*volume);
   const double entry = 1.001 * tf.range.width() / (tf.entries - 1) / units.scale;
+  const double least =
+      illumination == Illumination::iso_surface ? (1 - 1e-6) * iso_opacity(*shown, homo->range) : 0;
   return visible.emplace(visible_box(*homo, grid, [&](ValueRange bucket) {
-    return largest_opacity(*shown, {bucket.min - entry, bucket.max + entry}) > 0;
+    const double opacity = largest_opacity(*shown, {bucket.min - entry, bucket.max + entry});
+    return opacity > 0 && opacity >= least;
   }));
 }
 
-GLuint Vdls::State::setup_program(bool counts) {
-  std::vector<std::string> defines = shader_defines({});
+GLuint Vdls::State::setup_program(const Rendering& rendering, bool counts) {
+  Features features;
+  features.illumination = rendering.illumination;
+  std::vector<std::string> defines = shader_defines(features);
   defines.push_back(fmt::format("COUNTS {:d}", counts));
   defines.push_back(fmt::format("BACK_TO_FRONT {:d}", options.back_to_front));
   return programs.program("fullscreen.vert", "vdls_setup.frag", defines);
@@ -145,7 +158,8 @@ GLuint Vdls::State::setup_program(bool counts) {
 GLuint Vdls::State::layers_program(const Rendering& rendering) {
   Features features;
   features.dvr = true;
-  features.shading = rendering.shading == Shading::gradient;
+  features.shading = is_shaded(rendering);
+  features.illumination = rendering.illumination;
   std::vector<std::string> defines = shader_defines(features);
   defines.push_back(fmt::format("LAYERS {}", options.layers_per_pass));
   defines.push_back(fmt::format("GRADIENT_VOLUME {:d}", features.shading && options.gradient_volume));
@@ -160,7 +174,7 @@ std::vector<std::uint32_t> Vdls::State::set_up(const Scene& scene, const Camera&
   const Leaves leaves(target.size(), options.leaves);
   std::vector<std::uint32_t> counts(leaves.count());
   const gl::BufferHandle buffer = make_buffer(counts.size() * sizeof counts[0], counts.data());
-  const GLuint program = setup_program(target.has_counts());
+  const GLuint program = setup_program(scene.rendering, target.has_counts());
   const Grid& grid = volume->grid;
   const Box part = visible_part(scene.rendering);
   set_view(program, scene, camera, target.size());
@@ -203,11 +217,12 @@ Proxy Vdls::State::make_proxy(const Scene& scene, const Camera& camera, glm::ive
   return proxy;
 }
 
-void Vdls::State::bind_volume(const Rendering& rendering, GLuint program) {
+void Vdls::State::bind_volume(const Scene& scene, GLuint program) {
   glBindTextureUnit(volume_unit, values.id());
   set(program, "volume", int(volume_unit));
   bind_tf_texture(program, tf, tf_unit);
-  if (rendering.shading != Shading::gradient) return;
+  bind_illumination(program, scene, units);
+  if (!is_shaded(scene.rendering)) return;
   set(program, "shading_strength", 1.0f);
   if (!options.gradient_volume) return;
   if (!gradients) gradients = upload_gradients(*volume);
@@ -223,16 +238,13 @@ void Vdls::State::draw_layers(const Scene& scene, const Camera& camera, glm::ive
   set_view(program, scene, camera, size);
   set(program, "fixed_unit", fixed_unit(volume->grid));
   set(program, "picture_size", glm::vec2(size));
-  bind_volume(scene.rendering, program);
+  bind_volume(scene, program);
   glBindTextureUnit(delta_unit, layers.delta_vectors());
   set(program, "delta_vectors", int(delta_unit));
   set(program, "layer_samples", int(layer_unit));
   glUseProgram(program);
   glEnablei(GL_BLEND, 0);
-  if (options.back_to_front)
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  else
-    glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  set_blending(scene.rendering.illumination, options.back_to_front);
   for (int pass = 0; pass < work.passes; ++pass) {
     const int layer = pass * options.layers_per_pass;
     glBindTextureUnit(layer_unit, layers.layer_samples(pass));
@@ -278,22 +290,28 @@ PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
   state_->take(scene);
   const VdlsOptions& o = state_->options;
   PictureNeed need;
-  const auto add = [&](bool in, const char* name, const char* why_not) {
+  const auto add = [&](bool in, const char* name, const std::string& why_not) {
     if (in)
       need.list.in.emplace_back(name);
     else
       need.list.left_out.emplace_back(name, why_not);
   };
-  const char* off = "it is switched off";
-  const bool leaps = o.homo_regions && scene.rendering.skipping;
+  const std::string off = "it is switched off";
+  const bool values_alone = shows_values(scene.rendering.illumination);
+  const std::string illumination =
+      fmt::format("rendering.illumination is {}", name_of(scene.rendering.illumination));
   add(true, "layers", "");
-  add(leaps, "homo_regions", o.homo_regions ? "rendering.skipping is off" : off);
+  add(o.homo_regions && scene.rendering.skipping && !values_alone, "homo_regions",
+      !o.homo_regions             ? off
+      : !scene.rendering.skipping ? "rendering.skipping is false"
+                                  : illumination);
   add(o.leaves > 0, "screen_quadtree", off);
   add(o.early_test, "early_outside_volume_test", off);
   add(o.layers_per_pass > 1, "segmented_traversal", off);
-  const bool shading = scene.rendering.shading == Shading::gradient;
-  add(shading, "shading", "rendering.shading is none");
-  add(shading && o.gradient_volume, "gradient_volume", shading ? off : "rendering.shading is none");
+  const bool shading = state_->is_shaded(scene.rendering);
+  const std::string unshaded = values_alone ? illumination : "rendering.shading is none";
+  add(shading, "shading", unshaded);
+  add(shading && o.gradient_volume, "gradient_volume", shading ? off : unshaded);
   add(false, "early_termination", "a layer does not see what lies before it");
 
   const glm::ivec3 dims = state_->volume->grid.dims;
