@@ -9,6 +9,10 @@
 namespace crest {
 namespace {
 
+Json to_json(const VdlsReport::Difference& difference) {
+  return {{"same_gradients", difference.same_gradients}, {"gradient_volume", difference.gradient_volume}};
+}
+
 Json to_json(const VdlsTiming& timing) {
   return {{"setup", timing.setup},          {"views", timing.frame_ms.size()},
           {"frame_ms", timing.mean_ms()},   {"frames_per_second", timing.frames_per_second()},
@@ -67,12 +71,12 @@ Json vdls_json(const VdlsReport& report) {
                              {"dims", {row.dims.x, row.dims.y, row.dims.z}},
                              {"vdls_bytes", row.vdls_bytes},
                              {"raycaster_bytes", row.raycaster_bytes},
-                             {"largest_difference", row.difference},
+                             {"largest_difference", to_json(row.difference)},
                              {"timings", to_json(row.timings)}});
   for (const VdlsSeries& series : report.series) json["series"].push_back(to_json(series));
   for (const auto& quadtree : report.quadtrees) json["quadtrees"].push_back(to_json(quadtree));
   for (const auto& filter : report.filters)
-    json["filters"].push_back({{"name", filter.name}, {"largest_difference", filter.difference}});
+    json["filters"].push_back({{"name", filter.name}, {"largest_difference", to_json(filter.difference)}});
   json["phantom"] = report.phantom;
   for (const auto& quality : report.quality) json["quality"].push_back(to_json(quality));
   json["error_scale"] = error_scale_json();

@@ -43,15 +43,23 @@ struct Lab {
   }
 };
 
-/// The pictures of both engines are kept; returns their largest difference.
-double picture_pair(VdlsReport& report, Lab& lab, const std::string& id, const Scene& scene) {
+/// The pictures of both engines are kept.
+VdlsReport::Difference picture_pair(VdlsReport& report, Lab& lab, const std::string& id, const Scene& scene) {
   const Camera camera = whole_volume_camera(scene.volume->grid);
-  lab.renderer.vdls().set_options({});
-  const Image vdls = lab.picture(scene, camera, Engine::vdls),
-              raycaster = lab.picture(scene, camera, Engine::raycaster);
-  report.pictures.push_back({fmt::format("images/{}-vdls.png", id), vdls});
+  const Image raycaster = lab.picture(scene, camera, Engine::raycaster);
   report.pictures.push_back({fmt::format("images/{}-raycaster.png", id), raycaster});
-  return double(std::ranges::max(pixel_differences(vdls, raycaster)));
+  const auto vdls = [&](bool gradient_volume) {
+    VdlsOptions options;
+    options.gradient_volume = gradient_volume;
+    lab.renderer.vdls().set_options(options);
+    return lab.picture(scene, camera, Engine::vdls);
+  };
+  const auto difference = [&](const Image& image) {
+    return double(std::ranges::max(pixel_differences(image, raycaster)));
+  };
+  const Image precomputed = vdls(true);
+  report.pictures.push_back({fmt::format("images/{}-vdls.png", id), precomputed});
+  return {difference(vdls(false)), difference(precomputed)};
 }
 
 double bytes_of(Renderer& renderer, Scene scene, glm::ivec2 size, Engine engine) {
@@ -65,7 +73,7 @@ double bytes_of(Renderer& renderer, Scene scene, glm::ivec2 size, Engine engine)
 void study_table(VdlsReport& report, Lab& lab, const std::vector<VdlsScene>& scenes) {
   for (const VdlsScene& scene : scenes) {
     fmt::print(stderr, "table 2: {}\n", scene.title);
-    VdlsReport::Row row{scene.id, scene.title, scene.scene.volume->grid.dims, 0, 0, {}, 0};
+    VdlsReport::Row row{scene.id, scene.title, scene.scene.volume->grid.dims, 0, 0, {}, {}};
     row.timings = lab.time(scene.scene, table_setups(), 0.06);
     row.vdls_bytes = bytes_of(lab.renderer, scene.scene, lab.size, Engine::vdls);
     row.raycaster_bytes = bytes_of(lab.renderer, scene.scene, lab.size, Engine::raycaster);

@@ -15,13 +15,17 @@ struct VdlsReport {
   std::string command, renderer, made_at;
   glm::ivec2 size{0};
 
+  /// Largest of a pixel, between the engines' pictures.
+  struct Difference {
+    double same_gradients = 0, gradient_volume = 0;
+  };
   /// A volume of the paper's Table 2 and figure 9.
   struct Row {
     std::string id, title;
     glm::ivec3 dims{0};
     double vdls_bytes = 0, raycaster_bytes = 0;  ///< that the device holds
     std::vector<VdlsTiming> timings;             ///< of table_setups()
-    double difference = 0;                       ///< largest of a pixel, between the engines' pictures
+    Difference difference;
   };
   std::vector<Row> table;
   std::vector<VdlsSeries> series;  ///< figures 5 to 8
@@ -36,7 +40,7 @@ struct VdlsReport {
   /// A post-shaded filter, as in figure 10.
   struct Filter {
     std::string name;
-    double difference = 0;  ///< as above
+    Difference difference;
   };
   std::vector<Filter> filters;
 
