@@ -41,11 +41,11 @@ namespace {
 
 /// What a picture needs of the device, and what was left out of it.
 void add_need(nlohmann::ordered_json& json, const PictureNeed& need) {
-  json["features"] = need.list.in;
-  for (const auto& [name, why] : need.list.left_out) json["left_out"][name] = why;
-  json["notes"] = need.list.notes;
+  json["features"] = need.features.in;
+  for (const auto& [name, why] : need.features.left_out) json["left_out"][name] = why;
+  json["notes"] = need.features.notes;
   json["tables"] = nlohmann::ordered_json::object();
-  for (const GpuData& data : need.data)
+  for (const GpuData& data : need.gpu_data)
     json["tables"][data.name] = {{"size", data.size}, {"bytes", data.bytes}};
   if (need.tf_error) json["tables"]["transfer_function"]["error"] = *need.tf_error;
 }

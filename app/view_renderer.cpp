@@ -57,7 +57,10 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
         count_costs(*view);
         continue;
       }
-      if (!view->pass) begin_pass(*view, interactive);
+      if (!view->pass) {
+        view->need = renderer_.need(view->wanted.scene, view->wanted.camera, view->wanted.size);
+        begin_pass(*view, interactive);
+      }
       draw_slice(*view, interactive ? slice_ms : std::max(slice_ms, budget_ms / 2));
     } catch (...) {
       give_up(*view);
@@ -160,6 +163,7 @@ void ViewRenderer::count_costs(View& view) {
 ViewPicture ViewRenderer::picture(int index) const {
   const View& view = views_[std::size_t(index)];
   ViewPicture picture;
+  picture.need = view.need;
   if (!view.display) return picture;
   const bool done = view.shown_coarseness == 1 && view.shown_version == view.wanted_version;
   picture.texture = view.display->texture();

@@ -59,6 +59,7 @@ class ViewRenderer {
     std::unique_ptr<gl::DisplayTexture> display;
     double ms_per_pixel = 1e-3, coarse_ms_per_pixel = 1e-3;  ///< a first guess; measured from then on
     double frame_ms = 0;
+    PictureNeed need;
     RenderCounts counts;
     bool is_counted = false;
   };

@@ -12,6 +12,7 @@
 
 #include "render/classify/peak_table.h"
 #include "render/classify/peaks.h"
+#include "render/picture_need.h"
 #include "render/volume/volume.h"
 #include "ui/accuracy_results.h"
 #include "ui/document.h"
@@ -30,6 +31,7 @@ struct ViewPicture {
   double progress = 1;         ///< share of the full-resolution picture that is done
   double frame_ms = 0;         ///< of the last full-resolution picture; 0 while there is none
   double samples_per_ray = 0, dvr_samples_per_ray = 0;  ///< 0 while not counted
+  PictureNeed need;                                     ///< at full resolution; empty until it is begun
 };
 
 /// What the program tells the panels: results, read only.

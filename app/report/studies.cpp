@@ -10,7 +10,8 @@ std::span<const Study> studies() {
       {"placement", "where a ray's samples lie (Steneteg et al.), of VOLUME or a built-in",
        run_placement_study, true},
       {"vdls",
-       "view-dependent layer sampling beside the ray caster, of volumes in the folder VOLUME or built-in ones",
+       "view-dependent layer sampling beside the ray caster, of volumes in the folder VOLUME or built-in "
+       "ones",
        run_vdls_study, true},
   };
   return table;

@@ -1,13 +1,12 @@
 #include "app/report/vdls_study.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "app/offscreen_context.h"
+#include "app/output_folder.h"
 #include "app/report/page.h"
 #include "app/report/report_pictures.h"
 #include "presets/atomic_file.h"
@@ -65,7 +64,7 @@ VdlsReport::Difference picture_pair(VdlsReport& report, Lab& lab, const std::str
 double bytes_of(Renderer& renderer, Scene scene, glm::ivec2 size, Engine engine) {
   scene.rendering.engine = engine;
   double bytes = 0;
-  for (const GpuData& data : renderer.need(scene, whole_volume_camera(scene.volume->grid), size).data)
+  for (const GpuData& data : renderer.need(scene, whole_volume_camera(scene.volume->grid), size).gpu_data)
     bytes += double(data.bytes);
   return bytes;
 }
@@ -228,9 +227,7 @@ void study(VdlsReport& report, Lab& lab, const std::filesystem::path& folder) {
 }
 
 Json write_study(const VdlsReport& report, const std::filesystem::path& folder) {
-  std::error_code fault;
-  std::filesystem::create_directories(folder / "images", fault);
-  if (fault) throw Error(fmt::format("{}: {}", (folder / "images").string(), fault.message()));
+  make_folder(folder / "images");
   const Json json = vdls_json(report);
   Json page = json;
   for (const auto& [name, image] : report.pictures) {
@@ -248,9 +245,7 @@ Json write_study(const VdlsReport& report, const std::filesystem::path& folder) 
 void run_vdls_study(const StudyOptions& options) {
   VdlsReport report;
   report.command = options.command;
-  report.made_at =
-      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                  std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now()));
+  report.made_at = utc_now();
   report.size = options.size.value_or(default_size);
   const OffscreenContext context(options.device);
   report.renderer = context.renderer();

@@ -8,7 +8,7 @@ void march(Ray ray, Sampling s, int first, int last) {
   for (int i = first; i < last; ++i) {
     float t = middle_at(s, i), size = size_at(s, i);
     COUNT_DVR_SAMPLE;
-    gather(field(at(ray, t)), LIGHT(t), size, size / ray_length);
+    gather(dvr_field(at(ray, t)), DVR_LIGHT(t), size, size / ray_length);
     if (TERMINATED || transmittance == 0.0) break;
   }
 }

@@ -38,13 +38,13 @@ void main() {
   float dt = intBitsToFloat(current.w);
   collected = nothing_gathered;
 #if SHADING
-  vec3 direction = pixel_ray().direction;
+  Ray ray = pixel_ray();
 #endif
   for (int layer = 0; layer < LAYERS; ++layer) {
     vec3 position = vec3(current.xyz) * fixed_unit;
     float value = field(position), lit = 1.0;
 #if SHADING
-    lit = light(gradient_at(position), direction);
+    lit = light(ray, gradient_at(position));
 #endif
     if (first_layer + layer < delta.w) gather(value, lit, dt, 1.0 / float(delta.w));
     current.xyz += delta.xyz;

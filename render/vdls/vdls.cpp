@@ -98,7 +98,7 @@ std::string why_not_vdls(const Scene& scene) {
        {only("mode", Mode::dvr_only, r.mode), only("placement", defaults.placement, r.placement),
         only("sampling", defaults.sampling, r.sampling),
         only("classification", defaults.classification, r.classification),
-        only("filter", defaults.filter, r.filter)})
+        only("filter", defaults.filter, r.filter), only("gradient", defaults.gradient, r.gradient)})
     if (!why.empty()) return why;
   if (r.adaptive) return "the vdls engine takes all steps alike, and rendering.adaptive is true";
   if (scene.volume->has_empty_cells())
@@ -292,9 +292,9 @@ PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
   PictureNeed need;
   const auto add = [&](bool in, const char* name, const std::string& why_not) {
     if (in)
-      need.list.in.emplace_back(name);
+      need.features.in.emplace_back(name);
     else
-      need.list.left_out.emplace_back(name, why_not);
+      need.features.left_out.emplace_back(name, why_not);
   };
   const std::string off = "it is switched off";
   const bool values_alone = shows_values(scene.rendering.illumination);
@@ -315,14 +315,14 @@ PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
   add(false, "early_termination", "a layer does not see what lies before it");
 
   const glm::ivec3 dims = state_->volume->grid.dims;
-  need.data.push_back({"volume", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
-                       state_->volume->grid.point_count() * sizeof(float)});
+  need.gpu_data.push_back({"volume", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
+                           state_->volume->grid.point_count() * sizeof(float)});
   if (shading && o.gradient_volume)
-    need.data.push_back({"gradients", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
-                         state_->volume->grid.point_count() * 4 * sizeof(GLshort)});
-  need.data.push_back({"transfer_function", fmt::format("{} entries", state_->table_size.entries),
-                       std::size_t(state_->table_size.entries) * 4 * sizeof(float)});
-  need.data.push_back(
+    need.gpu_data.push_back({"gradients", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
+                             state_->volume->grid.point_count() * 4 * sizeof(GLshort)});
+  need.gpu_data.push_back({"transfer_function", fmt::format("{} entries", state_->table_size.entries),
+                           std::size_t(state_->table_size.entries) * 4 * sizeof(float)});
+  need.gpu_data.push_back(
       {"layers", fmt::format("3 x {}x{} pixels", size.x, size.y), LayerTextures::bytes(size)});
   need.tf_error = state_->table_size.error;
   return need;

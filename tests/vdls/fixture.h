@@ -9,14 +9,6 @@
 
 namespace crest::testing {
 
-inline double largest_difference(const Image& a, const Image& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int channel = 0; channel < 4; ++channel)
-      largest = std::max(largest, std::abs(double(a.pixels[i][channel]) - double(b.pixels[i][channel])));
-  return largest;
-}
-
 /// What pictures of the same samples may differ by. Positions are rounded to 2^-24 of the box's longest side
 /// either way and compositing to 2^-24 a sample, and the scenes' materials change little over such lengths.
 constexpr double rounding = 4e-6;
