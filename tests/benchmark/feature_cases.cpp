@@ -130,6 +130,7 @@ std::vector<FeatureCase> table_cases(const VolumePtr& volume) {
 
 std::vector<FeatureCase> other_cases(const VolumePtr& volume) {
   const Scene split = scene_of(volume, haze_with_spikes({0.5}), Mode::both);
+  const Scene shaded = with(split, &Rendering::shading, Shading::gradient);
   const Scene paper = with(split, &Rendering::peak_form, PeakForm::paper);
   const auto in_mode = [](const Scene& scene, Mode mode) { return with(scene, &Rendering::mode, mode); };
   const auto placed = [&](Placement placement) { return with(split, &Rendering::placement, placement); };
@@ -143,6 +144,11 @@ std::vector<FeatureCase> other_cases(const VolumePtr& volume) {
       {"split", {split}, {paper}},
       {"exclusive", {in_mode(paper, Mode::peak_xor_dvr)}, {paper}},
       {"base_tf", {in_mode(split, Mode::peak_xor_dvr)}, {split}},
+      {"own_root_filter", {with(split, &Rendering::root_filter, Filter::bspline)}, {split}},
+      {"filter_linear_exact", {with(split, &Rendering::filter, Filter::linear_exact)}, {split}},
+      {"filter_bspline", {with(split, &Rendering::filter, Filter::bspline)}, {split}},
+      {"filter_bc", {with(split, &Rendering::filter, Filter::bc)}, {split}},
+      {"filter_gradient", {with(shaded, &Rendering::gradient, Gradient::filter)}, {shaded}},
       {"clip_box", {with(split, &Rendering::clip_box, clip)}, {split}},
       {"differential", {sampled(Sampling::differential)}, {split}},
       {"footprint", {sampled(Sampling::footprint)}, {split}},

@@ -18,7 +18,7 @@ constexpr double rounding = 5e-6;
 
 Need need_of(const View& view, const Forced& forced = {}, bool statistics = false) {
   const auto& [volume, tf, rendering] = view.scene;
-  const Classification classification = classify(tf, volume->statistics.range);
+  const Classification classification = classify(tf, surface_range(view.scene));
   MacrocellStore macrocells;
   const auto occupied_share = [&](const Features& features, double blur) {
     return macrocells.occupied_share(*volume, classification, rendering, features, blur);
@@ -79,9 +79,9 @@ TEST(Need, TheBaseTfIsLeftOutWhereItIsTheSame) {
     const Rendering& rendering = view.scene.rendering;
     if (rendering.mode != Mode::peak_xor_dvr || rendering.peak_form != PeakForm::split) continue;
     if (!need.features.dvr || need.features.base_tf) continue;
-    const ValueRange field = view.scene.volume->statistics.range;
-    const Classification classification = classify(view.scene.tf, field);
-    EXPECT_TRUE(are_same_in(field, classification.tf, classification.base)) << "seed " << seed;
+    const Classification classification = classify(view.scene.tf, surface_range(view.scene));
+    EXPECT_TRUE(are_same_in(dvr_range(view.scene), classification.tf, classification.base))
+        << "seed " << seed;
     ++left_out;
   }
   EXPECT_GT(left_out, 100);

@@ -118,6 +118,10 @@ Rendering random_rendering(Dice& dice, const Grid& grid) {
   rendering.max_peaks = dice.pick({1, 4, 64});
   rendering.peak_bins = dice.pick({1, 16, 128});
   rendering.shading = dice.pick({Shading::none, Shading::none, Shading::gradient});
+  rendering.filter = dice.pick(
+      {Filter::linear, Filter::linear, Filter::linear, Filter::linear_exact, Filter::bspline, Filter::bc});
+  if (dice.one_in(6)) rendering.root_filter = dice.pick({Filter::linear, Filter::bspline});
+  rendering.gradient = dice.pick({Gradient::central, Gradient::filter});
   rendering.early_termination = dice.pick({0.0, 0.0, 0.01, 0.3});
   if (dice.one_in(3)) rendering.clip_box = random_clip_box(dice, grid);
   return rendering;
