@@ -41,6 +41,11 @@ std::vector<ExactPicture> render_exact_pictures(const std::vector<Scene>& scenes
   ProgressBar bar;
   std::vector<ExactPicture> pictures;
   for (const Scene& scene : scenes) {
+    if (const auto illumination = scene.rendering.illumination;
+        illumination != Illumination::semi_transparent)
+      throw Error(
+          fmt::format("the exact answer is that of semi_transparent, and rendering.illumination is {}",
+                      name_of(illumination)));
     const Answer answer = answers_of(scene.rendering).front();
     const std::string doing = fmt::format("exact answer {}", name_of(answer));
     const auto progress = [&](double done) {

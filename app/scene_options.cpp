@@ -36,6 +36,9 @@ void SceneOptions::add_to(CLI::App& app) {
       ->type_name("FILE");
   app.add_option("--mode", mode, "What a ray collects: " + name_list<Mode>())->type_name("MODE");
   app.add_option("--engine", engine, "What renders: " + name_list<Engine>())->type_name("ENGINE");
+  app.add_option("--illumination", illumination,
+                 "What a sample contributes to its ray: " + name_list<Illumination>())
+      ->type_name("NAME");
   app.add_option("--step", step, "Step length, in units of the smallest spacing")->type_name("STEP");
   app.add_option("--eye", eye, "Camera: where the eye is (world units)")->type_name("X,Y,Z");
   app.add_option("--target", target, "Camera: what it looks at")->type_name("X,Y,Z");
@@ -65,6 +68,7 @@ Preset SceneOptions::read_preset(const Volume& loaded) const {
   };
   set_if("--mode", mode, "rendering.mode=" + mode);
   set_if("--engine", engine, "rendering.engine=" + engine);
+  set_if("--illumination", illumination, "rendering.illumination=" + illumination);
   set_if("--step", step, "rendering.step=" + step);
   if (!eye.empty() || !target.empty() || !up.empty() || !fov.empty()) {
     const bool is_fitted = !result.camera && eye.empty() && target.empty();

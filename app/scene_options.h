@@ -14,8 +14,8 @@ namespace crest {
 /// The options that say what is rendered, and how: those of `render`, `compare` and the studio.
 struct SceneOptions {
   std::string volume, preset;
-  std::string mode, engine, step, eye, target, up, fov;  ///< as typed; empty where not given
-  std::vector<std::string> sets;                         ///< PATH=VALUE
+  std::string mode, engine, illumination, step, eye, target, up, fov;  ///< as typed; empty where not given
+  std::vector<std::string> sets;                                       ///< PATH=VALUE
   bool fit_range = false;
 
   void add_to(CLI::App& app);

@@ -37,7 +37,7 @@ bool ViewRequest::operator==(const ViewRequest& other) const {
          scene.rendering == other.scene.rendering && camera == other.camera && size == other.size;
 }
 
-ViewRenderer::ViewRenderer(std::filesystem::path shader_folder) : raycaster_(std::move(shader_folder)) {}
+ViewRenderer::ViewRenderer(std::filesystem::path shader_folder) : renderer_(std::move(shader_folder)) {}
 
 void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, double budget_ms,
                         bool interactive) {
@@ -65,7 +65,7 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
         continue;
       }
       if (!view->pass) {
-        find_need(*view);
+        view->need = renderer_.need(view->wanted.scene, view->wanted.camera, view->wanted.size);
         begin_pass(*view, interactive);
       }
       draw_slice(*view, interactive ? slice_ms : std::max(slice_ms, budget_ms / 2));
@@ -111,13 +111,6 @@ ViewRenderer::View* ViewRenderer::next_view() {
   return best;
 }
 
-void ViewRenderer::find_need(View& view) {
-  const auto& [scene, camera, size] = view.wanted;
-  Need need = raycaster_.need(scene, camera, size, false);
-  view.need.gpu_data = gpu_data(need, *scene.volume, raycaster_.classification(scene));
-  view.need.features = std::move(need.list);
-}
-
 void ViewRenderer::begin_pass(View& view, bool interactive) {
   Pass pass;
   pass.request = view.wanted;
@@ -140,8 +133,8 @@ void ViewRenderer::draw_slice(View& view, double wanted_ms) {
   const int rows = std::max(int(std::min(wanted_ms / (ms_per_pixel * size.x), 1e6)), 4);
   const Tile tile{{0, pass.next_row}, {size.x, std::min(pass.next_row + rows, size.y)}};
   const double ms = finished_ms([&] {
-    raycaster_.draw(coarse_scene(pass.request.scene, pass.coarseness), pass.request.camera, *pass.target,
-                    tile);
+    renderer_.draw(coarse_scene(pass.request.scene, pass.coarseness), pass.request.camera, *pass.target,
+                   tile);
   });
   const double pixels = double(tile.end.x) * (tile.end.y - tile.begin.y);
   ms_per_pixel = std::max(1e-7, 0.5 * ms_per_pixel + 0.5 * ms / pixels);
@@ -170,7 +163,7 @@ void ViewRenderer::finish_pass(View& view) {
 
 void ViewRenderer::count_costs(View& view) {
   gl::RenderTarget target(coarse_size(view.wanted.size, count_coarseness), true);
-  view.counts = raycaster_.draw_counted(view.wanted.scene, view.wanted.camera, target);
+  view.counts = sum_of(renderer_.draw_counts(view.wanted.scene, view.wanted.camera, target));
   view.is_counted = true;
 }
 

@@ -12,7 +12,7 @@
 
 #include "render/classify/peak_table.h"
 #include "render/classify/peaks.h"
-#include "render/raycaster/need.h"
+#include "render/picture_need.h"
 #include "render/volume/volume.h"
 #include "ui/accuracy_results.h"
 #include "ui/document.h"
@@ -23,13 +23,6 @@ inline constexpr int view_count = 4;
 /// The modes of the 2x2 grid, left to right, top to bottom.
 inline constexpr std::array<Mode, view_count> view_modes{Mode::dvr_only, Mode::peak_only, Mode::peak_xor_dvr,
                                                          Mode::both};
-
-/// What a picture is made from, what was left out, and what the graphics device holds for it.
-struct PictureNeed {
-  FeatureList features;
-  std::vector<GpuData> gpu_data;
-  bool operator==(const PictureNeed&) const = default;
-};
 
 /// A view's picture, as the program last drew it.
 struct ViewPicture {

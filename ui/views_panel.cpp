@@ -36,9 +36,10 @@ void right_aligned(const char* text, float right) {
 }
 
 /// The name, whether it may be off, what it costs, and what it shows.
-void caption(int index, StudioState& state, const ViewPicture& view) {
+void caption(int index, StudioState& state, const ViewPicture& view, Engine engine) {
   const Mode mode = view_modes[std::size_t(index)];
-  const std::string name(name_of(mode));
+  std::string name(name_of(mode));
+  if (engine == Engine::vdls && mode == Mode::dvr_only) name += ": vdls";
   const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX();
   const bool enlarged = state.views.enlarged == index;
   ImGui::TextUnformatted(name.c_str());
@@ -116,7 +117,7 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
   ImGui::PushID(index);
   ImGui::SetCursorScreenPos(corner);
   ImGui::BeginChild("view", size, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  caption(index, state, inputs.views[i]);
+  caption(index, state, inputs.views[i], document.preset.rendering.engine);
   bool changed = false;
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const ImVec2 image{std::floor(room.x), std::floor(room.y)};

@@ -21,6 +21,7 @@ class RenderTarget {
   bool has_counts() const { return bool(counts_); }
   GLuint framebuffer() const { return framebuffer_.id(); }
   GLuint color_texture() const { return color_.id(); }
+  GLuint counts_texture() const { return counts_.id(); }  ///< 0 without counts
 
   Image read_color() const;
   std::vector<glm::uvec4> read_counts() const;
