@@ -22,9 +22,10 @@ namespace fs = std::filesystem;
 
 struct ReportOptions {
   SceneOptions scene;
-  std::string output, size = "256x256", study, budget = "120s", target = to_string(default_target());
+  std::string output, size = "256x256", study, data_folder, budget = "120s",
+                      target = to_string(default_target());
   int device = -1;
-  bool json = false, size_is_given = false;
+  bool json = false, size_is_given = false, budget_is_given = false;
   std::string command;  ///< as typed
 };
 
@@ -157,7 +158,8 @@ void run_study(const ReportOptions& options, std::stop_token stop) {
   study_options.folder = options.output;
   study_options.scene = options.scene;
   if (options.size_is_given) study_options.size = pixels_of(options);
-  study_options.budget_seconds = budget_seconds(options.budget);
+  if (options.budget_is_given) study_options.budget_seconds = budget_seconds(options.budget);
+  study_options.data_folder = options.data_folder;
   study_options.device = options.device;
   study_options.json = options.json;
   study_options.command = options.command;
@@ -208,7 +210,9 @@ void add_report_command(CLI::App& app, Action& chosen) {
   command->add_option("--size", options->size, "Width x height in pixels")
       ->capture_default_str()
       ->type_name("WxH");
-  command->add_option("--budget", options->budget, "Time for all of it: 90s, 2m, 1h, or none")
+  command
+      ->add_option("--budget", options->budget,
+                   "Time for all of it: 90s, 2m, 1h, or none (of a study: none by default)")
       ->capture_default_str()
       ->type_name("TIME");
   command
@@ -218,6 +222,11 @@ void add_report_command(CLI::App& app, Action& chosen) {
       ->capture_default_str()
       ->type_name("MEASURE=X");
   command->add_option("--study", options->study, study_help())->type_name("NAME");
+  command
+      ->add_option("--data", options->data_folder,
+                   "A folder of real volumes, for studies that use some of them where they are there")
+      ->envname("CREST_DATA")
+      ->type_name("DIR");
   command->add_option("--device", options->device,
                       "Graphics device (crest list devices); hardware first by default");
   command->add_flag("--json", options->json, "Print report.json, too");
@@ -226,6 +235,7 @@ void add_report_command(CLI::App& app, Action& chosen) {
       throw CLI::RequiredError("VOLUME, or --study");
     options->command = command_text(*command);
     options->size_is_given = command->count("--size") > 0;
+    options->budget_is_given = command->count("--budget") > 0;
     chosen = [options] { run_in_folder(*options); };
   });
 }

@@ -1,5 +1,6 @@
 #include "app/report/studies.h"
 
+#include "app/report/knoll_study.h"
 #include "app/report/placement_study.h"
 
 namespace crest {
@@ -8,6 +9,7 @@ std::span<const Study> studies() {
   static constexpr Study table[] = {
       {"placement", "where a ray's samples lie (Steneteg et al.), of VOLUME or a built-in",
        run_placement_study, true},
+      {"knoll", "peak finding's tables, figures and claims (Knoll et al. 2009) again", run_knoll_study},
   };
   return table;
 }
