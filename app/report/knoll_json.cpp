@@ -6,6 +6,7 @@
 #include "app/report/knoll_study.h"
 #include "app/report/report_pictures.h"
 #include "presets/preset_json.h"
+#include "render/studies/knoll_variants.h"
 
 namespace crest {
 namespace {
@@ -202,6 +203,7 @@ Json knoll_json(const KnollReport& report) {
             {"renderer", report.renderer},
             {"processors", std::thread::hardware_concurrency()},
             {"size", {report.size.x, report.size.y}},
+            {"s_k", s_k_of_paper(report.size.x)},
             {"seconds", report.seconds},
             {"scenes", Json::array()},
             {"claims", Json::array()},

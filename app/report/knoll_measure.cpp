@@ -20,6 +20,7 @@ struct Measuring {
   KnollScenes& scenes;
   KnollResults results;
 
+  double s_k() const { return s_k_of_paper(lab.settings().size.x); }
   KnollScene scene(std::string_view id) {
     const auto found = std::ranges::find(results.scenes, id, &KnollScene::id);
     if (found != results.scenes.end()) return *found;
@@ -32,9 +33,9 @@ struct Measuring {
 };
 
 /// Equal steps that are as many as the differential ones, with a table for that step.
-Variant table_of_equal_samples(KnollLab& lab, const KnollScene& scene) {
+Variant table_of_equal_samples(KnollLab& lab, const KnollScene& scene, const Variant& differential) {
   const auto samples = [&](const Variant& variant) { return lab.counts(scene, variant).dvr_samples; };
-  const double wanted = samples(table1_variants().front());
+  const double wanted = samples(differential);
   double step = 1;
   for (int turn = 0; turn < 2 && wanted > 0; ++turn)
     step = std::clamp(step * samples(preintegrated_table_variant(step)) / wanted, shortest_uniform_step,
@@ -44,17 +45,18 @@ Variant table_of_equal_samples(KnollLab& lab, const KnollScene& scene) {
 
 void Measuring::add_table1_row(const KnollSceneRow& row) {
   const KnollScene of = scene(row.id);
-  std::vector<Variant> variants = table1_variants();
-  variants.push_back(table_of_equal_samples(lab, of));
-  if (row.id == "zebrafish") variants.push_back(surfaces_variant());
-  if (row.id == "heptane-5b") variants.push_back(single_peak_variant());
-  if (row.id == "heptane-5c") variants.insert(variants.end(), {magnified_variant(), surfaces_variant()});
+  std::vector<Variant> variants = table1_variants(s_k());
+  variants.push_back(table_of_equal_samples(lab, of, variants.front()));
+  if (row.id == "zebrafish") variants.push_back(surfaces_variant(s_k()));
+  if (row.id == "heptane-5b") variants.push_back(single_peak_variant(s_k()));
+  if (row.id == "heptane-5c")
+    variants.insert(variants.end(), {magnified_variant(s_k()), surfaces_variant(s_k())});
   results.table1.push_back({row.paper, lab.shoot_group(of.id, of.title, of, variants, true)});
 }
 
 void Measuring::add_bins() {
   const KnollScene of = scene("many-peaks");
-  results.bins = lab.shoot_group("bins", of.title, of, bins_variants(), false);
+  results.bins = lab.shoot_group("bins", of.title, of, bins_variants(s_k()), false);
 }
 
 void Measuring::add_builds() {

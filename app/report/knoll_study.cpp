@@ -1,6 +1,5 @@
 #include "app/report/knoll_study.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -8,6 +7,7 @@
 
 #include "app/cache_folder.h"
 #include "app/offscreen_context.h"
+#include "app/output_folder.h"
 #include "app/report/page.h"
 #include "app/report/report_pictures.h"
 #include "presets/atomic_file.h"
@@ -19,12 +19,6 @@ namespace crest {
 namespace {
 
 namespace fs = std::filesystem;
-
-void make_folder(const fs::path& folder) {
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  if (fault) throw Error(fmt::format("{}: {}", folder.string(), fault.message()));
-}
 
 std::vector<std::string> write_pictures(const KnollReport& report, const fs::path& folder) {
   std::vector<std::string> names;
@@ -45,7 +39,8 @@ Json write_study(const KnollReport& report, const fs::path& folder) {
   make_folder(folder / "images");
   make_folder(folder / "presets");
   for (const KnollScene& scene : report.results.scenes)
-    save_preset(folder / knoll_preset_name(scene), preset_of(scene, table1_variants()[1]));
+    save_preset(folder / knoll_preset_name(scene),
+                preset_of(scene, table1_variants(s_k_of_paper(report.size.x))[1]));
   const auto pictures = write_pictures(report, folder);
   const Json json = knoll_json(report);
   write_file_atomically(folder / "knoll.json", print_json(json));
@@ -68,10 +63,10 @@ const Shot* find_shot(const KnollResults& results, std::string_view group, std::
 }
 
 void run_knoll_study(const StudyOptions& options) {
-  using namespace std::chrono;
+  using std::chrono::duration, std::chrono::steady_clock;
   KnollReport report;
   report.command = options.command;
-  report.made_at = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", time_point_cast<seconds>(system_clock::now()));
+  report.made_at = utc_now();
   KnollLab::Settings settings;
   if (options.size) settings.size = *options.size;
   settings.stop = options.stop;

@@ -9,7 +9,8 @@ std::span<const Study> studies() {
   static constexpr Study table[] = {
       {"placement", "where a ray's samples lie (Steneteg et al.), of VOLUME or a built-in",
        run_placement_study, true},
-      {"knoll", "peak finding's tables, figures and claims (Knoll et al. 2009) again", run_knoll_study},
+      {"knoll", "peak finding's tables, figures and claims (Knoll et al. 2009) again", run_knoll_study, false,
+       true},
   };
   return table;
 }

@@ -1,10 +1,14 @@
 #include "render/raycaster/step_lengths.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "presets/error.h"
+#include "presets/names.h"
 #include "render/camera.h"
 #include "render/raycaster/occupancy.h"
 #include "render/view.h"
@@ -28,10 +32,11 @@ double least_spread(double u, double v) {
   return u * std::min(1 / (1 + p), std::sqrt(1 + q) / (1 + p + q));
 }
 
-/// How many steps of b, b+a, b+2a, ... a length holds; the stable form of the inverse of b x + a x(x-1)/2.
-double count_of(double b, double a, double length) {
-  const double c = b - a / 2, root = std::sqrt(c * c + 2 * a * length);
-  return c > 0 ? 2 * length / (c + root) : (root - c) / a;
+/// How many steps T(x) = b x + a x(x-1)/2 takes from `near` over a length: T'' = a, and T' is
+/// sqrt((b - a/2)^2 + 2 a T).
+double differential_steps(double b, double a, double near, double length) {
+  const double step = std::sqrt((b - a / 2) * (b - a / 2) + 2 * a * near);
+  return 2 * length / (step + std::sqrt(step * step + 2 * a * length));
 }
 
 }  // namespace
@@ -57,7 +62,7 @@ StepLengths step_lengths(const Rendering& rendering, const Camera& camera, glm::
       break;
     case Sampling::differential:
       lengths.longest = std::sqrt(k * k + 2 * k * plane.x * far) + 2 * k * plane.x;
-      lengths.most = count_of(k, k * spread.x, near + ray) - count_of(k, k * spread.x, near);
+      lengths.most = differential_steps(k, k * spread.x, near, ray);
       break;
     case Sampling::footprint:
       lengths.longest = k * (far + 1);
@@ -66,6 +71,11 @@ StepLengths step_lengths(const Rendering& rendering, const Camera& camera, glm::
   }
   lengths.longest *= (1 + slack) * (rendering.adaptive ? most_joined_steps : 1);
   lengths.most = std::ceil(lengths.most * (1 + slack)) + 2;
+  if (!(lengths.most <= most_segments))
+    throw Error(fmt::format(
+        "sampling '{}' would take {:.2g} steps a ray from so far away: a larger s_k, or 'footprint' or "
+        "'uniform' sampling, takes fewer",
+        name_of(rendering.sampling), lengths.most));
   return lengths;
 }
 

@@ -3,10 +3,10 @@
 // of them pay for it: this way they pay once a crossing, not once a step.)
 
 #if DVR
-// Material of the sample at t: shaded colour, extinction.
+// Material of the sample at t, where the surfaces' field has this value: shaded colour, extinction.
 vec4 material_at(Ray ray, float t, float value) {
-  vec4 material = classify(value);
-  return vec4(material.rgb * LIGHT(t), material.a);
+  vec4 material = classify(DVR_VALUE(value, at(ray, t)));
+  return vec4(material.rgb * DVR_LIGHT(t), material.a);
 }
 #endif
 
@@ -18,7 +18,7 @@ vec4 sample_material;
 // Composites up to a crossing: the piece that holds the sample with the sample's material, to the end of its segment;
 // the rest, or a piece between two crossings, with the TF at its middle, on the line between its two knots. No piece
 // goes beyond the last segment's end.
-void composite_until_hit(Knot from, Knot hit, bool is_first, float boundary, float last_end, float light_at_hit) {
+void composite_until_hit(Ray ray, Knot from, Knot hit, bool is_first, float boundary, float last_end, float light_at_hit) {
   if (is_first) {
     float end = min(boundary, hit.t);
     composite(sample_material.rgb, opacity_of(sample_material.a * max(end - done, 0.0)));
@@ -27,7 +27,7 @@ void composite_until_hit(Knot from, Knot hit, bool is_first, float boundary, flo
   float end = min(hit.t, last_end);
   float size = max(end - done, 0.0);
   float place = clamp((end - 0.5 * size - from.t) / max(hit.t - from.t, 1.0e-30), 0.0, 1.0);
-  vec4 material = classify(mix(from.value, hit.value, place));
+  vec4 material = classify(DVR_VALUE(mix(from.value, hit.value, place), at(ray, end - 0.5 * size)));
   composite(material.rgb * light_at_hit, opacity_of(material.a * size));
   done = max(done, end);
 }
@@ -41,6 +41,20 @@ struct Interval {
   bool is_first;  // of the span: nothing is known of the field before
 };
 
+// The least and the greatest value that the field can have between two samples of a row of four. The lines that lead
+// to them from outside bound it, where it is convex there: also an extremum between the samples.
+#if EXTREMA
+float least_between(float f0, float f1, float f2, float f3) {
+  return min(min(f1, f2), max(2.0 * f1 - f0, 2.0 * f2 - f3));
+}
+float most_between(float f0, float f1, float f2, float f3) {
+  return max(max(f1, f2), min(2.0 * f1 - f0, 2.0 * f2 - f3));
+}
+#else
+float least_between(float f0, float f1, float f2, float f3) { return min(f1, f2); }
+float most_between(float f0, float f1, float f2, float f3) { return max(f1, f2); }
+#endif
+
 #if EXTREMA
 // Where the lines that lead to a from before and to b from after meet, if that is between them and comes out beyond
 // both: the place of a cusp (trilinear fields have them at the cells' faces), and nearly that of a smooth extremum.
@@ -49,6 +63,12 @@ bool find_extremum(Ray ray, Interval now, out Knot extremum) {
   float place = (now.b.value - now.a.value - rise_after) / (rise_before - rise_after);
   bool turns = rise_before < 0.0 ? rise_after > 0.0 : rise_before > 0.0 && rise_after < 0.0;  // no product: it underflows
   if (now.is_first || !turns || !(place > 0.0 && place < 1.0)) return false;
+#if PEAK_TABLE
+  // What is found must not depend on how far the table's bins reach beyond their peaks
+  if (!holds_peak(least_between(now.before, now.a.value, now.b.value, now.after),
+                  most_between(now.before, now.a.value, now.b.value, now.after)))
+    return false;
+#endif
   extremum.t = mix(now.a.t, now.b.t, place);
   extremum.value = field(at(ray, extremum.t));
   return extremum.value > max(now.a.value, now.b.value) || extremum.value < min(now.a.value, now.b.value);
@@ -109,7 +129,7 @@ bool composite_interval(Ray ray, Interval now, out float before) {
       Knot hit = Knot(solve(ray, bracket, b, peak.value), peak.value);
       float light_at_hit = LIGHT(hit.t);
 #if DVR && SPLIT
-      composite_until_hit(from, hit, found == 0, now.boundary, now.last_end, light_at_hit);
+      composite_until_hit(ray, from, hit, found == 0, now.boundary, now.last_end, light_at_hit);
 #endif
       composite(peak.color_opacity.rgb * light_at_hit, peak.color_opacity.a);
       COUNT_CROSSING;
@@ -138,20 +158,6 @@ bool composite_interval(Ray ray, Interval now, out float before) {
   before = a.value;
   return found > 0;
 }
-
-// The least and the greatest value that the field can have between two samples of a row of four. The lines that lead
-// to them from outside bound it, where it is convex there: also an extremum between the samples.
-#if EXTREMA
-float least_between(float f0, float f1, float f2, float f3) {
-  return min(min(f1, f2), max(2.0 * f1 - f0, 2.0 * f2 - f3));
-}
-float most_between(float f0, float f1, float f2, float f3) {
-  return max(max(f1, f2), min(2.0 * f1 - f0, 2.0 * f2 - f3));
-}
-#else
-float least_between(float f0, float f1, float f2, float f3) { return min(f1, f2); }
-float most_between(float f0, float f1, float f2, float f3) { return max(f1, f2); }
-#endif
 
 // The inner loop composites whole segments. A crossing cuts its segment; the next sample's piece then begins at the
 // cut. Behind the last sample the exit takes what is left. All that outlives the inner loop is carried by it: Mesa

@@ -43,9 +43,9 @@ uniform float least_residual;
 void march(Ray ray, Sampling s, int first, int last) {
   for (int i = first; i < last; ++i) {
     float t = middle_at(s, i);
-    vec4 material = classify(field(at(ray, t)));
+    vec4 material = classify(dvr_field(at(ray, t)));
     COUNT_DVR_SAMPLE;
-    composite(material.rgb * LIGHT(t), opacity_of(material.a * size_at(s, i)));
+    composite(material.rgb * DVR_LIGHT(t), opacity_of(material.a * size_at(s, i)));
     if (TERMINATED) break;
   }
 }

@@ -7,7 +7,7 @@
 
 namespace crest {
 
-enum class Verdict { holds, better, worse, not_measured };
+enum class Verdict { not_measured, holds, better, worse };
 std::string_view name_of(Verdict verdict);
 
 /// What a claim says of a number: that it lies in a range, and which side of it is the better one.

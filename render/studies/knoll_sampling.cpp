@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/studies/knoll_variants.h"
+
 namespace crest {
 namespace {
 
@@ -56,8 +58,10 @@ double step_of_equal_cost(double first, const std::function<double(double)>& rat
 SamplingRow compare_sampling(KnollLab& lab, const KnollScene& scene, HeldConstant held,
                              const Variant& method) {
   SamplingRow row{held, scene.id, method.id, {}, {}, true};
-  const Variant differential{"differential", fmt::format("{}, differential, s_k = 4", method.name),
-                             method.settings + " sampling=differential s_k=4", method.peak_gain};
+  const Variant differential{
+      "differential", method.name + ", differential",
+      fmt::format("{} sampling=differential s_k={}", method.settings, s_k_of_paper(lab.settings().size.x)),
+      method.peak_gain};
   const Shot wanted = lab.shoot(scene, differential, true);
   double step = 1;
   if (held == HeldConstant::quality) {

@@ -2,21 +2,34 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <string_view>
+
 namespace crest {
 namespace {
 
-constexpr const char* published = "mode=PEAK_XOR_DVR peak_form=paper sampling=differential s_k=4";
+std::string differential(std::string_view settings, double s_k) {
+  return fmt::format("{} sampling=differential s_k={}", settings, s_k);
+}
+
+/// Peak finding as published.
+std::string published(double s_k) { return differential("mode=PEAK_XOR_DVR peak_form=paper", s_k); }
 
 }  // namespace
 
-std::vector<Variant> table1_variants() {
-  return {{"post", "post-classification", "mode=DVR_ONLY sampling=differential s_k=4"},
-          {"xor-paper", "peak finding, as published", published},
-          {"xor", "peak finding, divided steps", "mode=PEAK_XOR_DVR sampling=differential s_k=4"},
-          {"preintegrated", "pre-integration, antiderivatives",
-           "mode=DVR_ONLY classification=preintegrated sampling=differential s_k=4"},
-          {"xor-paper-all", "peak finding, as published, nothing skipped",
-           fmt::format("{} skipping=false", published)}};
+double s_k_of_paper(int width) {
+  const double part = double(width) / paper_width;
+  return 4 * part * part;
+}
+
+std::vector<Variant> table1_variants(double s_k) {
+  return {
+      {"post", "post-classification", differential("mode=DVR_ONLY", s_k)},
+      {"xor-paper", "peak finding, as published", published(s_k)},
+      {"xor", "peak finding, divided steps", differential("mode=PEAK_XOR_DVR", s_k)},
+      {"preintegrated", "pre-integration, antiderivatives",
+       differential("mode=DVR_ONLY classification=preintegrated", s_k)},
+      {"xor-paper-all", "peak finding, as published, nothing skipped", published(s_k) + " skipping=false"}};
 }
 
 Variant preintegrated_table_variant(double step) {
@@ -24,15 +37,17 @@ Variant preintegrated_table_variant(double step) {
           fmt::format("mode=DVR_ONLY classification=preintegrated_table placement=entry step={}", step)};
 }
 
-Variant surfaces_variant() {
-  return {"peaks-paper", "surfaces alone", "mode=PEAK_ONLY peak_form=paper sampling=differential s_k=4"};
+Variant surfaces_variant(double s_k) {
+  return {"peaks-paper", "surfaces alone", differential("mode=PEAK_ONLY peak_form=paper", s_k)};
 }
 
-Variant single_peak_variant() {
-  return {"single", "a single peak a step", fmt::format("{} max_peaks=1", published)};
+Variant single_peak_variant(double s_k) {
+  return {"single", "a single peak a step", published(s_k) + " max_peaks=1"};
 }
 
-Variant magnified_variant() { return {"peaks-x16", "peaks with 16 times the opacity", published, 16}; }
+Variant magnified_variant(double s_k) {
+  return {"peaks-x16", "peaks with 16 times the opacity", published(s_k), 16};
+}
 
 std::vector<Variant> sampling_methods() {
   return {{"post", "post-classification", "mode=DVR_ONLY"},
@@ -44,11 +59,11 @@ Variant post_bspline_method() {
   return {"post-bspline", "post-classification, B-spline", "mode=DVR_ONLY filter=bspline"};
 }
 
-std::vector<Variant> bins_variants() {
+std::vector<Variant> bins_variants(double s_k) {
   std::vector<Variant> variants;
   for (const int bins : studied_bins)
     variants.push_back({fmt::format("peaks-{}", bins), fmt::format("peak table, {} bins", bins),
-                        fmt::format("{} peak_bins={}", published, bins)});
+                        fmt::format("{} peak_bins={}", published(s_k), bins)});
   for (const int bins : studied_bins)
     variants.push_back(
         {fmt::format("preintegrated-{}", bins), fmt::format("pre-integration table, {} bins", bins),

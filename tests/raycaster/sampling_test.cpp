@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "presets/error.h"
 #include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/measure/image_error.h"
@@ -99,6 +100,23 @@ TEST_F(VaryingSteps, LieWhereTheFormulasSay) {
         EXPECT_NEAR(this->count(scene, camera, {1, 1}).dvr_samples, segments, 1) << what;
         EXPECT_NEAR(render(scene, camera, {1, 1}).at(0, 0).r, color, 2e-6) << what;
       }
+}
+
+// From a million diagonals away a constant medium is the same; from where differential steps would be
+// millions, a person is told so.
+TEST_F(VaryingSteps, HoldFarAway) {
+  Camera camera = camera_from(7e7);
+  camera.fov_y_degrees = 2e-5;
+  for (const Sampling sampling : {Sampling::differential, Sampling::footprint}) {
+    scene.rendering.sampling = sampling;
+    EXPECT_NEAR(render(scene, camera, {3, 3}).at(1, 1).a, 1 - std::pow(0.8, depth / 8), 2e-5)
+        << name_of(sampling);
+  }
+  camera = camera_from(1e20);
+  camera.fov_y_degrees = 1e-17;
+  EXPECT_NO_THROW(render(scene, camera, {3, 3}));
+  scene.rendering.sampling = Sampling::differential;
+  EXPECT_THROW(render(scene, camera, {3, 3}), Error);
 }
 
 /// RMSE of the scene's picture against the exact one.

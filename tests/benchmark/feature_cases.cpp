@@ -1,0 +1,181 @@
+#include "tests/benchmark/feature_cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "render/camera.h"
+#include "render/volume/builtin.h"
+
+namespace crest::bench {
+namespace {
+
+using VolumePtr = std::shared_ptr<const Volume>;
+
+/// The same with a point in its middle that has no value.
+VolumePtr with_hole(Volume volume) {
+  const glm::ivec3 dims = volume.grid.dims, middle = dims / 2;
+  volume.values[std::size_t(middle.x + dims.x * (middle.y + dims.y * middle.z))] =
+      std::numeric_limits<float>::quiet_NaN();
+  volume.statistics = compute_statistics(volume.grid, volume.values);
+  return std::make_shared<const Volume>(std::move(volume));
+}
+
+ControlPoint point(double value, double opacity) {
+  ControlPoint p;
+  p.value = value;
+  p.opacity = opacity;
+  p.color = {value, 0.5, 1 - value};
+  return p;
+}
+
+/// Haze of this opacity in 16 voxels, with spikes that stand out of it; values are 0..1 over the volume's
+/// range.
+TransferFunction haze_with_spikes(std::vector<double> spikes, double haze = 0.1) {
+  TransferFunction tf;
+  tf.domain = Domain::normalized;
+  tf.unit = LengthUnit::voxel;
+  tf.unit_distance = 16;
+  tf.points.push_back(point(0, haze));
+  for (const double spike : spikes)
+    for (const auto& [offset, opacity] : {std::pair(-1e-3, haze), {0.0, 0.3}, {1e-3, haze}})
+      tf.points.push_back(point(spike + offset, opacity));
+  tf.points.push_back(point(1, haze));
+  return tf;
+}
+
+/// Clear, then haze, with a ramp of this width between them.
+TransferFunction ramp(double width) {
+  TransferFunction tf = haze_with_spikes({});
+  tf.points = {point(0, 0), point(0.5, 0), point(0.5 + width, 0.1), point(1, 0.1)};
+  return tf;
+}
+
+Scene scene_of(const VolumePtr& volume, const TransferFunction& tf, Mode mode) {
+  Preset preset;
+  preset.transfer_function = tf;
+  preset.rendering.mode = mode;
+  return make_scene(volume, preset);
+}
+
+template <class Value>
+Scene with(Scene scene, Value Rendering::*setting, const std::type_identity_t<Value>& value) {
+  scene.rendering.*setting = value;
+  return scene;
+}
+
+Forced forcing(bool Features::*feature) {
+  Forced forced;
+  forced.features.*feature = true;
+  return forced;
+}
+
+FeatureCase forceable(const char* feature, const Scene& needed, const Scene& sibling, const Forced& forced) {
+  return {feature, {needed}, {sibling}, Frame{sibling, forced}};
+}
+
+const std::vector<double> one{0.5}, two{0.3, 0.6}, close{0.5, 0.51}, four{0.2, 0.4, 0.6, 0.8},
+    five{0.1, 0.3, 0.5, 0.7, 0.9}, five_close{0.1, 0.3, 0.5, 0.502, 0.9};
+
+std::vector<FeatureCase> peak_cases(const VolumePtr& volume) {
+  const auto peaks_of = [&](const std::vector<double>& values) {
+    return scene_of(volume, haze_with_spikes(values), Mode::peak_only);
+  };
+  const Scene all = scene_of(volume, haze_with_spikes(one), Mode::both);
+  return {
+      forceable("dvr", all, peaks_of(one), forcing(&Features::dvr)),
+      forceable("peaks", all, with(all, &Rendering::mode, Mode::dvr_only), forcing(&Features::peaks)),
+      forceable("peak_list", peaks_of(two), peaks_of(one), forcing(&Features::peak_list)),
+      forceable("peak_table", peaks_of(five), peaks_of(four), forcing(&Features::peak_table)),
+      forceable("several_peaks", peaks_of(close), peaks_of(two), forcing(&Features::several_peaks)),
+  };
+}
+
+std::vector<FeatureCase> ray_cases(const VolumePtr& volume) {
+  const Scene plain = scene_of(volume, haze_with_spikes(one), Mode::both);
+  const Scene dense = scene_of(volume, haze_with_spikes(one, 0.6), Mode::both);
+  std::vector<FeatureCase> cases{
+      forceable("shading", with(plain, &Rendering::shading, Shading::gradient), plain,
+                forcing(&Features::shading)),
+      forceable("early_termination", with(dense, &Rendering::early_termination, 0.01), dense,
+                forcing(&Features::early_termination)),
+      forceable("empty_cells", scene_of(with_hole(*volume), haze_with_spikes(one), Mode::both), plain,
+                forcing(&Features::empty_cells)),
+      forceable("long_rays", plain, plain, forcing(&Features::long_rays)),
+      forceable("statistics", plain, plain, forcing(&Features::statistics)),
+  };
+  cases[3].needed.forced.intervals_per_pass = 120;  // of some 220
+  cases[4].needed.counts = true;
+  return cases;
+}
+
+std::vector<FeatureCase> table_cases(const VolumePtr& volume) {
+  Forced large;
+  large.large_tables = true;
+  const auto with_bins = [&](const std::vector<double>& values) {
+    return with(scene_of(volume, haze_with_spikes(values), Mode::peak_only), &Rendering::peak_bins, 1024);
+  };
+  return {
+      forceable("large TF table", scene_of(volume, ramp(1e-3), Mode::dvr_only),
+                scene_of(volume, ramp(0.5), Mode::dvr_only), large),
+      forceable("large peak table", with_bins(five_close), with_bins(five), large),
+  };
+}
+
+std::vector<FeatureCase> other_cases(const VolumePtr& volume) {
+  const Scene split = scene_of(volume, haze_with_spikes(one), Mode::both);
+  const Scene paper = with(split, &Rendering::peak_form, PeakForm::paper);
+  const auto xor_of = [](const Scene& scene) { return with(scene, &Rendering::mode, Mode::peak_xor_dvr); };
+  const auto peaks_of = [](const Scene& scene) { return with(scene, &Rendering::mode, Mode::peak_only); };
+  const Grid& grid = split.volume->grid;
+  const ClipBox clip{grid.box_min() + 1e-3 * grid.box_size(), grid.box_max(), ""};
+  return {
+      {"extrema", {peaks_of(split)}, {peaks_of(paper)}},
+      {"split", {split}, {paper}},
+      {"exclusive", {xor_of(paper)}, {paper}},
+      {"base_tf", {xor_of(split)}, {split}},
+      {"clip_box", {with(split, &Rendering::clip_box, clip)}, {split}},
+      {"placement_eye", {with(split, &Rendering::placement, Placement::eye)}, {split}},
+      {"placement_entry", {with(split, &Rendering::placement, Placement::entry)}, {split}},
+      {"placement_entry_exit", {with(split, &Rendering::placement, Placement::entry_exit)}, {split}},
+  };
+}
+
+/// Of one feature: whether it is where it should be, and where it should not.
+std::string fault_of(const FeatureCase& c, const FeatureName& feature, glm::ivec2 size) {
+  if (!(need_of(c.needed, size).needed.*feature.in)) return c.feature + " is not needed where it should be";
+  const Need left_out = need_of(c.left_out, size);
+  if (left_out.features.*feature.in) return c.feature + " is not left out where it should be";
+  if (!c.forced_in) return "";
+  const Need forced = need_of(*c.forced_in, size);
+  const bool is_forced = forced.features.*feature.in && !(forced.needed.*feature.in);
+  return is_forced ? "" : c.feature + " is not forced in";
+}
+
+}  // namespace
+
+std::vector<FeatureCase> feature_cases() {
+  const auto volume = std::make_shared<const Volume>(make_builtin("sphere?n=64"));
+  std::vector<FeatureCase> cases;
+  for (const auto& part : {peak_cases(volume), ray_cases(volume), table_cases(volume), other_cases(volume)})
+    cases.insert(cases.end(), part.begin(), part.end());
+  return cases;
+}
+
+Need need_of(const Frame& frame, glm::ivec2 size) {
+  const Volume& volume = *frame.scene.volume;
+  return find_need(volume, classify(frame.scene.tf, volume.statistics.range), frame.scene.rendering,
+                   whole_volume_camera(volume.grid), double(size.x) / size.y, frame.counts, frame.forced);
+}
+
+std::string fault_of(const std::vector<FeatureCase>& cases, glm::ivec2 size) {
+  for (const FeatureName& feature : all_features()) {
+    const auto c = std::ranges::find(cases, feature.name, &FeatureCase::feature);
+    if (c == cases.end()) return fmt::format("no case measures {}", feature.name);
+    if (std::string fault = fault_of(*c, feature, size); !fault.empty()) return fault;
+  }
+  return "";
+}
+
+}  // namespace crest::bench
