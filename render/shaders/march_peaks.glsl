@@ -18,7 +18,8 @@ vec4 sample_material;
 // Composites up to a crossing: the piece that holds the sample with the sample's material, to the end of its segment;
 // the rest, or a piece between two crossings, with the TF at its middle, on the line between its two knots. No piece
 // goes beyond the last segment's end.
-void composite_until_hit(Ray ray, Knot from, Knot hit, bool is_first, float boundary, float last_end, float light_at_hit) {
+void composite_until_hit(Ray ray, Knot from, Knot hit, bool is_first, float boundary, float last_end,
+                         float light_at_hit) {
   if (is_first) {
     float end = min(boundary, hit.t);
     composite(sample_material.rgb, opacity_of(sample_material.a * max(end - done, 0.0)));

@@ -24,6 +24,9 @@ Rendering with_filters(Filter filter, std::optional<Filter> root = {}, double b 
   return rendering;
 }
 
+/// What the TF's table, which is interpolated, leaves (TfTableLimits allows 1e-5).
+constexpr double table_floor = 4e-6;
+
 std::string name(const Rendering& rendering) {
   return fmt::format("{}, roots {}, B {:.2g}, C {:.2g}", name_of(rendering.filter),
                      name_of(root_filter(rendering).kind), rendering.bc_b, rendering.bc_c);
@@ -78,8 +81,9 @@ TEST_F(Filters, DvrFallsToTheExactAnswerOfItsField) {
     scene.rendering.mode = Mode::dvr_only;
     const auto found = errors(scene, {1, 0.5, 0.25, 0.125, 1.0 / 64});
     SCOPED_TRACE(name(rendering) + ": " + ::testing::PrintToString(found));
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(found[i + 1], 0.4 * found[i]);
-    EXPECT_LT(found.back(), 3e-6);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(found[i + 1], std::max(0.4 * found[i], table_floor));
+    EXPECT_GT(found.front(), 10 * table_floor);
+    EXPECT_LT(found.back(), table_floor);
   }
 }
 
@@ -95,8 +99,10 @@ TEST_F(Filters, SurfacesInHazeFallToTheExactAnswerOfTheirField) {
     scene.rendering.mode = Mode::peak_xor_dvr;
     const auto found = errors(scene, {1, 0.25, 1.0 / 16, 1.0 / 128});
     SCOPED_TRACE(name(rendering) + ": " + ::testing::PrintToString(found));
-    for (std::size_t i = 0; i + 1 < found.size(); ++i) EXPECT_LT(found[i + 1], 0.7 * found[i]);
-    EXPECT_LT(found.back(), 2e-3);  // a silhouette's pixel in 600 may be a crossing off
+    for (std::size_t i = 0; i + 1 < found.size(); ++i)
+      EXPECT_LT(found[i + 1], std::max(0.2 * found[i], table_floor));
+    EXPECT_GT(found.front(), 10 * table_floor);
+    EXPECT_LT(found.back(), table_floor);
   }
 }
 
@@ -278,6 +284,25 @@ TEST_F(Filters, CellsThatReachAPointWithoutAValueAreEmpty) {
   }
 }
 
+// A surface at a value that no point has, which a filter's negative weights reach: space is not skipped
+// there.
+TEST_F(Filters, SkippingLeavesWhatAFilterMakesBeyondThePointsValues) {
+  const auto volume = make_volume({glm::ivec3(24), glm::dvec3(1), glm::dvec3(0)}, [](glm::dvec3 p) {
+    return glm::distance(p, glm::dvec3(9)) < 4 ? 1.0 : 0.0;
+  });
+  Scene scene{volume, make_tf({point(-1, 0), point(1.04, 0), point(1.05, 0.8), point(1.06, 0), point(2, 0)}),
+              with_filters(Filter::bc)};
+  scene.rendering.mode = Mode::peak_xor_dvr;
+  scene.rendering.step = 0.2;
+  const Camera camera = whole_volume_camera(volume->grid, 30);
+  EXPECT_TRUE(raycaster.features(scene, false).skipping);
+  const Image skipped = render(scene, camera, size);
+  scene.rendering.skipping = false;
+  const Image whole = render(scene, camera, size);
+  EXPECT_LT(rmse(skipped, whole), 1e-6);
+  EXPECT_GT(std::ranges::max(whole.pixels, {}, [](const auto& p) { return p.a; }).a, 0.7f);
+}
+
 // One field costs what it costs without a root filter; two cost a sample more where DVR samples.
 TEST_F(Filters, NothingIsEvaluatedTwiceWhereTheRootFilterIsTheFilter) {
   const Camera camera = whole_volume_camera(wave_volume()->grid, 30);
@@ -305,7 +330,7 @@ TEST_F(Filters, AllVariantsCompile) {
   const TransferFunction tf =
       make_tf({point(0, 0.1), point(0.599, 0.1), point(0.6, 0.5), point(0.601, 0.1), point(1, 0.1)});
   for (const auto& filter : names_of<Filter>())
-    for (const auto& root : names_of<Filter>())
+    for (const auto& root : {filter, names_of<Filter>()[filter.value == Filter::bc ? 0 : 3]})
       for (const Gradient gradient_kind : {Gradient::central, Gradient::filter}) {
         Scene scene{volume, tf, with_filters(filter.value, root.value)};
         scene.rendering.shading = Shading::gradient;
