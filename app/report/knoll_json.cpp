@@ -203,6 +203,7 @@ Json knoll_json(const KnollReport& report) {
             {"renderer", report.renderer},
             {"processors", std::thread::hardware_concurrency()},
             {"size", {report.size.x, report.size.y}},
+            {"paper_width", paper_width},
             {"s_k", s_k_of_paper(report.size.x)},
             {"seconds", report.seconds},
             {"scenes", Json::array()},

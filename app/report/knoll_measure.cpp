@@ -143,7 +143,7 @@ KnollResults measure_knoll(KnollLab& lab, KnollScenes& scenes, std::optional<dou
   double last_piece = 0;
   for (const Piece& piece : all_pieces(measuring)) {
     const double now = seconds();
-    if (budget_seconds && now + last_piece > *budget_seconds) {
+    if (budget_seconds && now + last_piece >= *budget_seconds) {
       measuring.results.left_out.push_back({piece.what, "the budget had no time for it"});
       continue;
     }

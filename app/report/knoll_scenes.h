@@ -12,15 +12,16 @@
 
 namespace crest {
 
-/// What a scene of the study is made from, and what of it is measured. The first file that the folder of real
-/// volumes has is the data; without one, the built-in volume stands in.
+/// What a scene of the study is made from: a file of the folder of real volumes, where that has it, or else a
+/// built-in volume.
 struct KnollSceneRow {
   std::string_view id, title;
   PaperRow paper;  ///< without a dataset where Table 1 has no such scene
   std::string_view file, builtin;
-  std::string_view note_on_file;  ///< where the file is not the paper's data: what stands for it
+  std::string_view note_on_file,
+      note_on_builtin;  ///< where they are not the paper's data: what stands for it
   std::string_view preset, settings;
-  bool close = false;  ///< whether the eye is close
+  const BoxView *view_of_file = nullptr, *view_of_builtin = nullptr;  ///< null: the whole volume is in view
 };
 
 /// The scenes in the order in which they are measured.

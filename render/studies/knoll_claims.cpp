@@ -112,11 +112,17 @@ ClaimCheck sampling_claim(const KnollResults& results, std::string id, std::stri
     const auto row = std::ranges::find_if(
         results.table2, [&](const SamplingRow& r) { return is_meant(r) && title(r) == e.of; });
     const Shot &uniform = row->uniform(), &differential = row->differential();
+    const PaperSampling& paper = row->paper;
+    const std::string papers = paper.samples_uniform > 0
+                                   ? fmt::format(" (the paper, by eye: {:g} and {:g})", paper.samples_uniform,
+                                                 paper.samples_differential)
+                                   : "";
     return fmt::format(
-        "For an RMSE of {:.2g}, equal steps need {:.1f} field values a ray{}, differential ones {:.1f} "
-        "(the paper, by eye: {:g} and {:g}).",
+        "For an RMSE of {:.2g} equal steps take {:.1f} field values a ray{}, differential ones {:.1f}{}. An "
+        "RMSE counts "
+        "every pixel alike, near or far.",
         differential.error.compared.rmse, uniform.samples_per_ray, row->reached ? "" : " and do not reach it",
-        differential.samples_per_ray, row->paper.samples_uniform, row->paper.samples_differential);
+        differential.samples_per_ray, papers);
   });
 }
 
@@ -145,7 +151,7 @@ ClaimCheck four_peaks_claim(const KnollResults& results) {
 ClaimCheck bins_claim(const KnollResults& results) {
   ClaimCheck check{"bins",
                    "128 bins are enough for peak finding",
-                   "crossings missed with that many bins by those missed with 1024",
+                   "crossings missed with 128 bins by those with 1024",
                    {1, 1, true},
                    {},
                    {},
@@ -155,9 +161,7 @@ ClaimCheck bins_claim(const KnollResults& results) {
              *at_1024 = bins ? bins->find("peaks-1024") : nullptr;
   if (!at_128 || !at_1024) return judged(std::move(check), [](const Evidence&) { return ""; });
   const auto missed = [](const Shot& shot) { return shot.error.crossings->missed + 1; };  // of none, too
-  for (const Shot& shot : bins->shots)
-    if (shot.variant.id.starts_with("peaks-"))
-      check.evidence.push_back({shot.variant.name, missed(shot) / missed(*at_1024)});
+  check.evidence.push_back({at_128->variant.name, missed(*at_128) / missed(*at_1024)});
   check = judged(std::move(check), [&](const Evidence&) {
     return std::string("A candidate of the table counts only where its own crossing is found.");
   });

@@ -32,14 +32,13 @@ Scene measured_scene(const KnollScene& scene, const Variant& variant) {
   return result;
 }
 
-Camera camera_in_box(const Grid& grid, glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up,
-                     double fov_y_degrees) {
+Camera camera_in_box(const Grid& grid, const BoxView& view) {
   const glm::dvec3 half = grid.box_size() / 2.0, middle = grid.box_min() + half;
   Camera camera;
-  camera.eye = middle + half * eye;
-  camera.target = middle + half * target;
-  camera.up = up;
-  camera.fov_y_degrees = fov_y_degrees;
+  camera.eye = middle + half * view.eye;
+  camera.target = middle + half * view.target;
+  camera.up = view.up;
+  camera.fov_y_degrees = view.fov_y_degrees;
   return camera;
 }
 

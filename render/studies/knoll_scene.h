@@ -42,8 +42,11 @@ TransferFunction with_peak_gain(TransferFunction tf, double gain);
 /// which adds an error of its own, are off.
 Scene measured_scene(const KnollScene& scene, const Variant& variant);
 
-/// A camera that is placed in units of the volume's box: its middle is 0, its faces are at -1 and 1.
-Camera camera_in_box(const Grid& grid, glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up,
-                     double fov_y_degrees);
+/// A camera in units of the volume's box: its middle is 0, its faces are at -1 and 1.
+struct BoxView {
+  glm::dvec3 eye{0}, target{0}, up{0, 0, 1};
+  double fov_y_degrees = 30;
+};
+Camera camera_in_box(const Grid& grid, const BoxView& view);
 
 }  // namespace crest

@@ -17,10 +17,7 @@ std::string published(double s_k) { return differential("mode=PEAK_XOR_DVR peak_
 
 }  // namespace
 
-double s_k_of_paper(int width) {
-  const double part = double(width) / paper_width;
-  return 4 * part * part;
-}
+double s_k_of_paper(int width) { return 4.0 * width / paper_width; }
 
 std::vector<Variant> table1_variants(double s_k) {
   return {

@@ -7,9 +7,8 @@
 
 namespace crest {
 
-/// The pictures of the paper are some 1024 pixels wide. Where a step grows with the distance it is in
-/// proportion to a pixel's width times the root of s_k, so this s_k gives a picture of another width the
-/// steps that 4 gives those.
+/// The pictures of the paper are some 1024 pixels wide. Steps depend on s_k times a pixel's size, so this s_k
+/// gives a picture of another width the steps that 4 gives those.
 inline constexpr int paper_width = 1024;
 double s_k_of_paper(int width);
 

@@ -26,27 +26,32 @@ function fillClaims() {
                                     data.left_out.map((part) => `${part.what} (${part.why})`).join("; ")));
 }
 
-const ways = ["xor-paper", "xor", "post", "preintegrated", "preintegrated-table"];
-const wayNames = ["peak finding, as published", "peak finding, divided steps", "post-classification", "pre-integration", "pre-integration, table"];
+// Table 1's columns: a variant, its name, and the paper's.
+const ways = [["xor-paper", "pf", "fps_peaks"], ["xor", "pf, divided"], ["post", "pc", "fps_post"], ["preintegrated", "pi", "fps_preintegrated"],
+              ["preintegrated-table", "pi, table"]];
 
 function fillTable1() {
-  const heads = ["Scene", {number: "Samples a ray"}, {number: "of DVR"}, {number: "Crossings"},
-                 ...wayNames.map((name) => ({number: `fps, ${name}`})), {number: "pf : post"}, {number: "pf : pre-int."}];
-  const rows = data.table1.map((row) => {
-    const p = row.paper, peaks = shotOf(row, "xor-paper"), paperFps = [p.fps_peaks, null, p.fps_post, p.fps_preintegrated, null];
-    const pre = shotOf(row, "preintegrated"), post = shotOf(row, "post");
+  const heads = ["Scene", {number: "samples/r"}, {number: "dvr/r"}, {number: "crossings/r"}, ...ways.map(([, name]) => ({number: `fps ${name}`})),
+                 {number: "pf : pc"}, {number: "pf : pi"}];
+  fillTable(byId("table1"), heads, data.table1.map((row) => {
+    const p = row.paper, peaks = shotOf(row, "xor-paper"), post = shotOf(row, "post"), pre = shotOf(row, "preintegrated");
     return [element("b", {}, row.title), both(number(peaks.samples_per_ray), String(p.samples_per_ray)),
             both(number(post.dvr_samples_per_ray), String(p.dvr_samples_per_ray)), {number: number(peaks.crossings_per_ray)},
-            ...ways.map((id, i) => shotOf(row, id) ? both(fps(shotOf(row, id).fps), paperFps[i] && String(paperFps[i])) : {number: "–"}),
+            ...ways.map(([id, , paper]) => both(fps(shotOf(row, id).fps), paper && String(p[paper]))),
             both(times(peaks.ratio / post.ratio), times(p.fps_post / p.fps_peaks)),
-            pre ? both(times(peaks.ratio / pre.ratio), times(p.fps_preintegrated / p.fps_peaks)) : {number: "–"}];
-  });
-  const errors = data.table1.map((row) => [element("span", {class: "soft"}, `${row.title}: RMSE`), {number: ""}, {number: ""}, {number: ""},
-      ...ways.map((id) => ({number: shotOf(row, id) ? number(shotOf(row, id).error.rmse) : "–"})), {number: ""}, {number: ""}]);
-  fillTable(byId("table1"), heads, rows.flatMap((row, i) => [row, errors[i]]));
+            both(times(peaks.ratio / pre.ratio), times(p.fps_preintegrated / p.fps_peaks))];
+  }));
+  fillTable(byId("errors"), ["RMSE", ...ways.map(([, name]) => ({number: name})), {number: "crossings missed: pf"}, {number: "divided"}],
+            data.table1.map((row) => [element("b", {}, row.title), ...ways.map(([id]) => ({number: number(shotOf(row, id).error.rmse)})),
+                                      ...["xor-paper", "xor"].map((id) => ({number: missed(shotOf(row, id))}))]));
   for (const scene of data.scenes)
     byId("scenes").append(element("p", {class: "small"}, element("b", {}, `${scene.title}: `),
         `${scene.volume}, ${scene.dims.join(" × ")} points; ${scene.preset}. ${scene.note}`));
+}
+
+function missed(shot) {
+  const c = shot.error.crossings;
+  return c ? percent(c.missed / Math.max(c.exact, 1)) : "–";
 }
 
 function fillTable2() {
@@ -75,11 +80,11 @@ function fillFigures() {
     if (!f.panels.length) continue;
     const cards = f.panels.map((p) => {
       const shot = shotOf(groups.find((g) => g.id === p.group), p.variant);
-      const missed = shot.error.crossings ? `, ${shot.error.crossings.missed} of ${shot.error.crossings.exact} crossings missed` : "";
+      const lost = shot.error.crossings ? `, ${missed(shot)} of the crossings missed` : "";
       const bias = shot.model_difference === null ? "" : `; by design ${number(shot.model_difference)} from the integral`;
       return element("div", {}, element("h3", {}, p.label), element("div", {class: "pair"},
           figure(p.picture, `${fps(shot.fps)} fps${p.paper_fps ? ` (paper: ${p.paper_fps})` : ""}, ${number(shot.samples_per_ray)} samples a ray`),
-          figure(p.error_picture, `RMSE ${number(shot.error.rmse)}${missed}${bias}`)));
+          figure(p.error_picture, `RMSE ${number(shot.error.rmse)}${lost}${bias}`)));
     });
     byId("figures").append(element("div", {class: "panel"}, element("h3", {}, `Figure ${f.figure}. ${f.title}`), element("div", {class: "grid"}, cards)));
   }
@@ -87,7 +92,7 @@ function fillFigures() {
 
 function fillBins() {
   if (!data.bins) return;
-  byId("bins-about").textContent = "Twelve peaks, a 125th of the range apart, in noise. Peaks against base+crossings, at s_k = 4; " +
+  byId("bins-about").textContent = "Twelve peaks, a 125th of the range apart, in noise. Peaks as published against base+crossings, with Table 1's sampling; " +
       "pre-integration against the integral, with its table for a step of 1/2. A table of more bins than separate the peaks is not built: the number used is told.";
   const sizes = [...new Set(data.bins.shots.map((shot) => Number(shot.variant.split("-")[1])))];
   fillTable(byId("bins"), [{number: "Bins"}, {number: "used"}, {number: "Peaks: RMSE"}, {number: "crossings missed"}, {number: "frame"},
@@ -95,7 +100,7 @@ function fillBins() {
             sizes.map((n) => {
               const peaks = shotOf(data.bins, `peaks-${n}`), pre = shotOf(data.bins, `preintegrated-${n}`);
               return [{number: String(n)}, {number: String(peaks.peak_bins)}, {number: number(peaks.error.rmse)},
-                      {number: `${peaks.error.crossings.missed} of ${peaks.error.crossings.exact}`}, {number: ms(peaks.frame_ms)},
+                      {number: missed(peaks)}, {number: ms(peaks.frame_ms)},
                       {number: pre ? number(pre.error.rmse) : "–"}, {number: pre ? ms(pre.frame_ms) : "–"}];
             }));
 }
@@ -108,8 +113,9 @@ function fillBuilds() {
 
 function fillMethod() {
   const lines = [
-    `Renderer: ${data.renderer}; ${data.processors} processors; ${data.size.join(" × ")} pixels; ${number(data.seconds)} s. A picture of twice the width ` +
-        "has twice the samples a ray at the same s_k.",
+    `Renderer: ${data.renderer}; ${data.processors} processors; ${data.size.join(" × ")} pixels; ${number(data.seconds)} s.`,
+    `Differential steps depend on s_k times a pixel's size. The paper's pictures are some ${data.paper_width} pixels wide, with s_k = 4; ` +
+        `the same steps take s_k = ${number(data.s_k)} at this size.`,
     "Times are wall clock until the device has finished, medians of at least three rounds in changing order; ratios are medians over the rounds. Shading and early termination are off while anything is measured.",
     "Errors are over the pixels where either picture has alpha > 0, without those whose ray grazes a surface. PEAK_XOR_DVR is compared with base+crossings.",
     "presets/ has each scene with its camera, for crest render and the studio; knoll.csv a row for each measured way; knoll.json all numbers."];
