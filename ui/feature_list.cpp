@@ -37,20 +37,36 @@ std::string bytes_text(std::size_t bytes) {
   return fmt::format("{:.4g} {}", size, units[unit]);
 }
 
+using Names = std::vector<std::string>;
+
+/// What was left out for the same reason, together.
+std::vector<std::pair<std::string, Names>> by_reason(const FeatureList& features) {
+  std::vector<std::pair<std::string, Names>> reasons;
+  for (const auto& [name, why] : features.left_out) {
+    const auto found = std::ranges::find(reasons, why, &std::pair<std::string, Names>::first);
+    if (found != reasons.end())
+      found->second.push_back(name);
+    else
+      reasons.push_back({why, {name}});
+  }
+  return reasons;
+}
+
 void draw_rows(WidgetState& widgets, const std::vector<FeatureRow>& rows) {
   if (!ImGui::BeginTable("features", 2, ImGuiTableFlags_SizingStretchProp)) return;
   ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, scaled(140));
   ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
-  for (const FeatureRow& row : rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const FeatureRow& row = rows[i];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", row.name.c_str());
+    if (i == 0 || row.name != rows[i - 1].name) ImGui::TextDisabled("%s", row.name.c_str());
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text,
                           ImGui::GetStyleColorVec4(row.is_in ? ImGuiCol_Text : ImGuiCol_TextDisabled));
     ImGui::TextWrapped("%s", row.text.c_str());
     ImGui::PopStyleColor();
-    note_item(widgets, "row/" + row.name);
+    note_item(widgets, fmt::format("row/{}", row.text));
   }
   ImGui::EndTable();
 }
@@ -64,13 +80,15 @@ std::vector<FeatureRow> feature_rows(const PictureNeed& need) {
   for (const std::string& note : need.features.notes) rows.push_back({"but", note, true});
   for (const GpuData& data : need.gpu_data)
     rows.push_back({data.name, fmt::format("{}, {}", data.size, bytes_text(data.bytes)), true});
-  for (const auto& [name, why] : need.features.left_out) rows.push_back({"no " + name, why, false});
+  for (const auto& [why, names] : by_reason(need.features))
+    rows.push_back({"left out", fmt::format("{}: {}", fmt::join(names, ", "), why), false});
   return rows;
 }
 
 void feature_list(StudioState& state, const StudioInputs& inputs, Mode preset_mode) {
   const bool open = ImGui::CollapsingHeader("What the picture is made of");
   note_item(state.widgets, "features");
+  if (open && ImGui::IsItemToggledOpen()) ImGui::SetScrollHereY(0);  // what was opened lies below
   tip("What this scene needs of the renderer, what the graphics device holds for it,\nand what was left out, "
       "and why");
   if (!open) return;

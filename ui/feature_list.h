@@ -12,8 +12,8 @@ struct FeatureRow {
   std::string name, text;
   bool is_in = true;  ///< else it was left out
 };
-/// What a picture is made of, what it cannot show, what the device holds for it, and what was left out and
-/// why.
+/// What a picture is made of, what it cannot show, what the device holds for it, and what was left out: a row
+/// for each reason.
 std::vector<FeatureRow> feature_rows(const PictureNeed& need);
 
 /// The list of one view's picture, under a header that opens and closes.

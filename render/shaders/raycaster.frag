@@ -132,7 +132,7 @@ void main() {
     Walk walk = begin_walk(ray, box, textureSize(empty_cells, 0), cell_size);
     bool more = true;
     Span span;
-    while (next_span(walk, more, span)) march_span(ray, span, index);
+    while (!TERMINATED && next_span(walk, more, span)) march_span(ray, span, index);
 #else
     march_span(ray, box, index);
 #endif

@@ -1,11 +1,13 @@
 // What each feature of the ray caster costs: frames of a scene that needs it, and of one that does not, with
-// the feature forced in and left out, in turn in one run. Columns are ratios to the frame without it, the
-// medians over all rounds; `again` is that frame against itself: what the run itself varies by.
+// the feature forced in and left out, in turn in one run. Time is that of the frame without it; the columns
+// are ratios to that, the medians over all rounds. `again` is that frame against itself: what the run itself
+// varies by. `samples` is the ratio of the field evaluations where the feature is needed.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
+#include <map>
+#include <optional>
 
 #include "app/offscreen_context.h"
 #include "render/camera.h"
@@ -28,6 +30,10 @@ class Contestant {
   }
   double draw_ms() {
     return finished_ms([&] { raycaster_.draw(scene_, camera_, target_); });
+  }
+  double samples() {
+    gl::RenderTarget counted(size, true);
+    return raycaster_.draw_counted(scene_, camera_, counted).samples;
   }
 
  private:
@@ -52,24 +58,28 @@ std::string features_that_differ(const FeatureCase& c) {
 }
 
 void compete(benchmark::State& state, const FeatureCase& c) {
-  std::vector<Contestant> contestants;
-  for (const Frame& frame : {c.left_out, c.left_out, c.needed}) contestants.emplace_back(frame);
-  if (c.forced_in) contestants.emplace_back(*c.forced_in);
-  std::array<std::vector<double>, 4> ratios;  // to the first contestant
+  Contestant left_out(c.left_out), needed(c.needed);
+  std::optional<Contestant> forced_in;
+  if (c.forced_in) forced_in.emplace(*c.forced_in);
+  std::vector<std::pair<const char*, Contestant*>> lineup{{"again", &left_out}, {"needed", &needed}};
+  if (forced_in) lineup.emplace_back("forced_in", &*forced_in);
+  lineup.emplace_back("left_out", &left_out);
+
+  std::map<std::string, std::vector<double>> ratios;
   std::size_t round = 0;
   for (auto _ : state) {
-    std::array<double, 4> ms{};
-    for (std::size_t i = 0; i < contestants.size(); ++i) {
-      const std::size_t turn = (round + i) % contestants.size();
-      ms[turn] = contestants[turn].draw_ms();
+    std::map<std::string, double> ms;
+    for (std::size_t i = 0; i < lineup.size(); ++i) {
+      const auto& [name, contestant] = lineup[(round + i) % lineup.size()];
+      ms[name] = contestant->draw_ms();
     }
-    for (std::size_t i = 0; i < contestants.size(); ++i) ratios[i].push_back(ms[i] / ms[0]);
-    state.SetIterationTime(1e-3 * ms[0]);
+    for (const auto& [name, time] : ms) ratios[name].push_back(time / ms["left_out"]);
+    state.SetIterationTime(1e-3 * ms["left_out"]);
     ++round;
   }
-  state.counters["again"] = median(ratios[1]);
-  state.counters["needed"] = median(ratios[2]);
-  if (c.forced_in) state.counters["forced_in"] = median(ratios[3]);
+  for (auto& [name, values] : ratios)
+    if (name != "left_out") state.counters[name] = median(values);
+  state.counters["samples"] = needed.samples() / left_out.samples();
   state.SetLabel(features_that_differ(c));
 }
 

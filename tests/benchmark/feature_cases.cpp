@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "render/camera.h"
+#include "render/raycaster/raycaster.h"
 #include "render/volume/builtin.h"
 
 namespace crest::bench {
@@ -52,10 +53,12 @@ TransferFunction ramp(double width) {
   return tf;
 }
 
+/// Nothing is skipped, so that no feature comes or goes with what is empty.
 Scene scene_of(const VolumePtr& volume, const TransferFunction& tf, Mode mode) {
   Preset preset;
   preset.transfer_function = tf;
   preset.rendering.mode = mode;
+  preset.rendering.skipping = false;
   return make_scene(volume, preset);
 }
 
@@ -65,49 +68,50 @@ Scene with(Scene scene, Value Rendering::*setting, const std::type_identity_t<Va
   return scene;
 }
 
-Forced forcing(bool Features::*feature) {
-  Forced forced;
-  forced.features.*feature = true;
-  return forced;
-}
-
 FeatureCase forceable(const char* feature, const Scene& needed, const Scene& sibling, const Forced& forced) {
   return {feature, {needed}, {sibling}, Frame{sibling, forced}};
 }
 
-const std::vector<double> one{0.5}, two{0.3, 0.6}, close{0.5, 0.51}, four{0.2, 0.4, 0.6, 0.8},
-    five{0.1, 0.3, 0.5, 0.7, 0.9}, five_close{0.1, 0.3, 0.5, 0.502, 0.9};
+FeatureCase forceable(bool Features::*feature, const Scene& needed, const Scene& sibling) {
+  const auto name = std::ranges::find(all_features(), feature, &FeatureName::in)->name;
+  Forced forced;
+  forced.features.*feature = true;
+  return forceable(name, needed, sibling, forced);
+}
 
 std::vector<FeatureCase> peak_cases(const VolumePtr& volume) {
-  const auto peaks_of = [&](const std::vector<double>& values) {
+  const auto peaks_at = [&](const std::vector<double>& values) {
     return scene_of(volume, haze_with_spikes(values), Mode::peak_only);
   };
-  const Scene all = scene_of(volume, haze_with_spikes(one), Mode::both);
+  const Scene one = peaks_at({0.5}), two = peaks_at({0.3, 0.6}),
+              both = with(one, &Rendering::mode, Mode::both);
   return {
-      forceable("dvr", all, peaks_of(one), forcing(&Features::dvr)),
-      forceable("peaks", all, with(all, &Rendering::mode, Mode::dvr_only), forcing(&Features::peaks)),
-      forceable("peak_list", peaks_of(two), peaks_of(one), forcing(&Features::peak_list)),
-      forceable("peak_table", peaks_of(five), peaks_of(four), forcing(&Features::peak_table)),
-      forceable("several_peaks", peaks_of(close), peaks_of(two), forcing(&Features::several_peaks)),
+      forceable(&Features::dvr, both, one),
+      forceable(&Features::peaks, both, with(one, &Rendering::mode, Mode::dvr_only)),
+      forceable(&Features::peak_list, two, one),
+      forceable(&Features::peak_table, peaks_at({0.1, 0.3, 0.5, 0.7, 0.9}), peaks_at({0.2, 0.4, 0.6, 0.8})),
+      forceable(&Features::several_peaks, peaks_at({0.5, 0.51}), two),
   };
 }
 
 std::vector<FeatureCase> ray_cases(const VolumePtr& volume) {
-  const Scene plain = scene_of(volume, haze_with_spikes(one), Mode::both);
-  const Scene dense = scene_of(volume, haze_with_spikes(one, 0.6), Mode::both);
-  std::vector<FeatureCase> cases{
-      forceable("shading", with(plain, &Rendering::shading, Shading::gradient), plain,
-                forcing(&Features::shading)),
-      forceable("early_termination", with(dense, &Rendering::early_termination, 0.01), dense,
-                forcing(&Features::early_termination)),
-      forceable("empty_cells", scene_of(with_hole(*volume), haze_with_spikes(one), Mode::both), plain,
-                forcing(&Features::empty_cells)),
-      forceable("long_rays", plain, plain, forcing(&Features::long_rays)),
-      forceable("statistics", plain, plain, forcing(&Features::statistics)),
+  const Scene plain = scene_of(volume, haze_with_spikes({0.5}), Mode::both);
+  const Scene holed = scene_of(with_hole(*volume), haze_with_spikes({0.5}), Mode::both);
+  const Scene dense = scene_of(volume, haze_with_spikes({0.5}, 0.95), Mode::both);
+  const Scene full = with(scene_of(volume, haze_with_spikes({}), Mode::dvr_only), &Rendering::skipping, true);
+  const Scene sparse = with(scene_of(volume, ramp(0.1), Mode::dvr_only), &Rendering::skipping, true);
+  FeatureCase long_rays = forceable(&Features::long_rays, plain, plain);
+  long_rays.needed.forced.intervals_per_pass = 120;  // of some 220
+  FeatureCase statistics = forceable(&Features::statistics, plain, plain);
+  statistics.needed.counts = true;
+  return {
+      forceable(&Features::shading, with(plain, &Rendering::shading, Shading::gradient), plain),
+      forceable(&Features::early_termination, with(dense, &Rendering::early_termination, 0.01), dense),
+      forceable(&Features::skipping, sparse, full),
+      forceable(&Features::empty_cells, holed, plain),
+      long_rays,
+      statistics,
   };
-  cases[3].needed.forced.intervals_per_pass = 120;  // of some 220
-  cases[4].needed.counts = true;
-  return cases;
 }
 
 std::vector<FeatureCase> table_cases(const VolumePtr& volume) {
@@ -119,26 +123,39 @@ std::vector<FeatureCase> table_cases(const VolumePtr& volume) {
   return {
       forceable("large TF table", scene_of(volume, ramp(1e-3), Mode::dvr_only),
                 scene_of(volume, ramp(0.5), Mode::dvr_only), large),
-      forceable("large peak table", with_bins(five_close), with_bins(five), large),
+      forceable("large peak table", with_bins({0.1, 0.3, 0.5, 0.502, 0.9}),
+                with_bins({0.1, 0.3, 0.5, 0.7, 0.9}), large),
   };
 }
 
 std::vector<FeatureCase> other_cases(const VolumePtr& volume) {
-  const Scene split = scene_of(volume, haze_with_spikes(one), Mode::both);
+  const Scene split = scene_of(volume, haze_with_spikes({0.5}), Mode::both);
+  const Scene shaded = with(split, &Rendering::shading, Shading::gradient);
   const Scene paper = with(split, &Rendering::peak_form, PeakForm::paper);
-  const auto xor_of = [](const Scene& scene) { return with(scene, &Rendering::mode, Mode::peak_xor_dvr); };
-  const auto peaks_of = [](const Scene& scene) { return with(scene, &Rendering::mode, Mode::peak_only); };
-  const Grid& grid = split.volume->grid;
+  const auto in_mode = [](const Scene& scene, Mode mode) { return with(scene, &Rendering::mode, mode); };
+  const auto placed = [&](Placement placement) { return with(split, &Rendering::placement, placement); };
+  const auto sampled = [&](Sampling sampling) {
+    return with(with(split, &Rendering::sampling, sampling), &Rendering::s_k, 0.35);  // about as many samples
+  };
+  const Grid& grid = volume->grid;
   const ClipBox clip{grid.box_min() + 1e-3 * grid.box_size(), grid.box_max(), ""};
   return {
-      {"extrema", {peaks_of(split)}, {peaks_of(paper)}},
+      {"extrema", {in_mode(split, Mode::peak_only)}, {in_mode(paper, Mode::peak_only)}},
       {"split", {split}, {paper}},
-      {"exclusive", {xor_of(paper)}, {paper}},
-      {"base_tf", {xor_of(split)}, {split}},
+      {"exclusive", {in_mode(paper, Mode::peak_xor_dvr)}, {paper}},
+      {"base_tf", {in_mode(split, Mode::peak_xor_dvr)}, {split}},
+      {"own_root_filter", {with(split, &Rendering::root_filter, Filter::bspline)}, {split}},
+      {"filter_linear_exact", {with(split, &Rendering::filter, Filter::linear_exact)}, {split}},
+      {"filter_bspline", {with(split, &Rendering::filter, Filter::bspline)}, {split}},
+      {"filter_bc", {with(split, &Rendering::filter, Filter::bc)}, {split}},
+      {"filter_gradient", {with(shaded, &Rendering::gradient, Gradient::filter)}, {shaded}},
       {"clip_box", {with(split, &Rendering::clip_box, clip)}, {split}},
-      {"placement_eye", {with(split, &Rendering::placement, Placement::eye)}, {split}},
-      {"placement_entry", {with(split, &Rendering::placement, Placement::entry)}, {split}},
-      {"placement_entry_exit", {with(split, &Rendering::placement, Placement::entry_exit)}, {split}},
+      {"differential", {sampled(Sampling::differential)}, {split}},
+      {"footprint", {sampled(Sampling::footprint)}, {split}},
+      {"adaptive", {with(split, &Rendering::adaptive, true)}, {split}},
+      {"placement_eye", {placed(Placement::eye)}, {split}},
+      {"placement_entry", {placed(Placement::entry)}, {split}},
+      {"placement_entry_exit", {placed(Placement::entry_exit)}, {split}},
   };
 }
 
@@ -164,9 +181,9 @@ std::vector<FeatureCase> feature_cases() {
 }
 
 Need need_of(const Frame& frame, glm::ivec2 size) {
-  const Volume& volume = *frame.scene.volume;
-  return find_need(volume, classify(frame.scene.tf, volume.statistics.range), frame.scene.rendering,
-                   whole_volume_camera(volume.grid), double(size.x) / size.y, frame.counts, frame.forced);
+  Raycaster raycaster;
+  raycaster.force(frame.forced);
+  return raycaster.need(frame.scene, whole_volume_camera(frame.scene.volume->grid), size, frame.counts);
 }
 
 std::string fault_of(const std::vector<FeatureCase>& cases, glm::ivec2 size) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ struct FeatureCase {
 /// Those that can be forced in, then the others.
 std::vector<FeatureCase> feature_cases();
 
-/// What the ray caster makes such a frame from.
+/// What the ray caster makes such a frame from. A GL context must be current, here and below.
 Need need_of(const Frame& frame, glm::ivec2 size);
 
 /// Why these cases do not compare what they say, in one line; or empty. Each of all_features() has one.

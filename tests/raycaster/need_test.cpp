@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "presets/names.h"
+#include "render/raycaster/macrocell_store.h"
 #include "render/reference/reference.h"
 #include "tests/raycaster/fixture.h"
 #include "tests/raycaster/random_view.h"
@@ -12,13 +13,17 @@ namespace crest::testing {
 namespace {
 
 constexpr glm::ivec2 size{32, 32};
-/// Of 32-bit float along a ray: 1.2e-7 in 150 views, and 6e-7 where passes are joined.
-constexpr double rounding = 1e-6;
+/// Of 32-bit float along a ray.
+constexpr double rounding = 5e-6;
 
 Need need_of(const View& view, const Forced& forced = {}, bool statistics = false) {
-  const Volume& volume = *view.scene.volume;
-  return find_need(volume, classify(view.scene.tf, volume.statistics.range), view.scene.rendering,
-                   view.camera, double(size.x) / size.y, statistics, forced);
+  const auto& [volume, tf, rendering] = view.scene;
+  const Classification classification = classify(tf, surface_range(view.scene));
+  MacrocellStore macrocells;
+  const auto occupied_share = [&](const Features& features, double blur) {
+    return macrocells.occupied_share(*volume, classification, rendering, features, blur);
+  };
+  return find_need(*volume, classification, rendering, view.camera, size, statistics, forced, occupied_share);
 }
 
 Forced forcing(const FeatureName& feature) {
@@ -74,9 +79,9 @@ TEST(Need, TheBaseTfIsLeftOutWhereItIsTheSame) {
     const Rendering& rendering = view.scene.rendering;
     if (rendering.mode != Mode::peak_xor_dvr || rendering.peak_form != PeakForm::split) continue;
     if (!need.features.dvr || need.features.base_tf) continue;
-    const ValueRange field = view.scene.volume->statistics.range;
-    const Classification classification = classify(view.scene.tf, field);
-    EXPECT_TRUE(are_same_in(field, classification.tf, classification.base)) << "seed " << seed;
+    const Classification classification = classify(view.scene.tf, surface_range(view.scene));
+    EXPECT_TRUE(are_same_in(dvr_range(view.scene), classification.tf, classification.base))
+        << "seed " << seed;
     ++left_out;
   }
   EXPECT_GT(left_out, 100);

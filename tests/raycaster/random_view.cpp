@@ -47,7 +47,7 @@ float field_value(Dice& dice, int kind, glm::dvec3 place, glm::dvec3 waves) {
 std::shared_ptr<const Volume> random_volume(Dice& dice) {
   Volume volume;
   Grid& grid = volume.grid;
-  grid.dims = {2 + dice.one_of(9), 2 + dice.one_of(9), 2 + dice.one_of(9)};
+  grid.dims = {2 + dice.one_of(15), 2 + dice.one_of(15), 2 + dice.one_of(15)};
   grid.spacing = dice.one_in(2) ? glm::dvec3(1) : dice.vector(0.5, 2);
   grid.origin = dice.vector(-5, 5);
   const int kind = dice.one_of(6);
@@ -110,9 +110,18 @@ Rendering random_rendering(Dice& dice, const Grid& grid) {
   rendering.step = dice.pick({0.1, 0.5, 1.0, 3.0});
   rendering.placement = dice.pick({Placement::entry_exit_corner, Placement::entry_exit_corner,
                                    Placement::entry_exit, Placement::entry, Placement::eye});
+  rendering.sampling = dice.pick(
+      {Sampling::uniform, Sampling::uniform, Sampling::uniform, Sampling::differential, Sampling::footprint});
+  rendering.s_k = dice.pick({0.5, 2.0, 10.0});
+  rendering.adaptive = dice.one_in(4);
+  rendering.skipping = !dice.one_in(4);
   rendering.max_peaks = dice.pick({1, 4, 64});
   rendering.peak_bins = dice.pick({1, 16, 128});
   rendering.shading = dice.pick({Shading::none, Shading::none, Shading::gradient});
+  rendering.filter = dice.pick(
+      {Filter::linear, Filter::linear, Filter::linear, Filter::linear_exact, Filter::bspline, Filter::bc});
+  if (dice.one_in(6)) rendering.root_filter = dice.pick({Filter::linear, Filter::bspline});
+  rendering.gradient = dice.pick({Gradient::central, Gradient::filter});
   rendering.early_termination = dice.pick({0.0, 0.0, 0.01, 0.3});
   if (dice.one_in(3)) rendering.clip_box = random_clip_box(dice, grid);
   return rendering;
