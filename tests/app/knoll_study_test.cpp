@@ -20,7 +20,7 @@ class KnollStudy : public ProgramTest {
 };
 
 TEST_F(KnollStudy, OfWhatTheBudgetHasTimeFor) {
-  const Outcome outcome = run(study_to("out", "4s") + Words{"--json"}, no_real_volumes);
+  const Outcome outcome = run(study_to("out", "2s") + Words{"--json"}, no_real_volumes);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("table 1: heptane (fig. 3)"), std::string::npos) << outcome.err;
   const json study = json::parse(content_of(path("out/knoll.json")));
