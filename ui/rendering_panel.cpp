@@ -67,6 +67,19 @@ bool clip_rows(WidgetState& widgets, std::optional<ClipBox>& clip, const Volume*
   return changed;
 }
 
+/// Settings that do not go together give way to the one that was just chosen. Whether they did.
+bool reconcile(Rendering& r, bool classification_was_chosen) {
+  if (why_inconsistent(r).empty()) return false;
+  if (classification_was_chosen) {
+    r.placement = Placement::entry;
+    r.sampling = Sampling::uniform;
+    r.adaptive = false;
+  } else {
+    r.classification = ClassificationMethod::preintegrated;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool rendering_panel(Document& document, StudioState& state, const StudioInputs& inputs) {
@@ -86,13 +99,22 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
       "the last "
       "one falls short or sticks out");
   changed |= choice(widgets, "##placement", r.placement, field);
+  row("Classification",
+      "How a step's colour and opacity follow from the field:\npost - the TF at a sample\npreintegrated - "
+      "the TF's "
+      "antiderivatives between the values at the step's ends; any step\npreintegrated_table - a table of "
+      "both "
+      "values; it holds one step length, so it takes the placement entry");
+  const bool classified = choice(widgets, "##classification", r.classification, field);
+  row("Table bins, DVR", "Bins of the pre-integration table on each axis");
+  changed |= integer_field(widgets, "##preintegration bins", r.preintegration_bins, 2, 2048, field);
   row("Peak form",
       "How a step with crossings is integrated:\nsplit - divided at its crossings (second order)\npaper - as "
       "published (first order)");
   changed |= choice(widgets, "##peak form", r.peak_form, field);
   row("Most peaks a step", "Crossings that one step composites at most");
   changed |= integer_field(widgets, "##max peaks", r.max_peaks, 1, 64, field);
-  row("Table bins", "Bins of the peak table on each axis");
+  row("Table bins, peaks", "Bins of the peak table on each axis");
   changed |= integer_field(widgets, "##peak bins", r.peak_bins, 1, 4096, field);
   row("Shading", "none, or by the gradient with a light at the eye");
   changed |= choice(widgets, "##shading", r.shading, field);
@@ -108,7 +130,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
       "caster");
   changed |= choice(widgets, "##engine", r.engine, field);
   ImGui::EndTable();
-  return changed;
+  return reconcile(r, classified) || classified || changed;
 }
 
 }  // namespace crest

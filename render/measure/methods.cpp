@@ -15,11 +15,20 @@ constexpr Method table[] = {
     {"dvr-entry-exit", "DVR, equal steps, rounded down", "mode=DVR_ONLY placement=entry_exit"},
     {"dvr-entry", "DVR, steps counted from the entry", "mode=DVR_ONLY placement=entry"},
     {"dvr-eye", "DVR, steps counted from the eye", "mode=DVR_ONLY placement=eye"},
+    {"dvr-pre", "DVR, pre-integrated", "mode=DVR_ONLY classification=preintegrated"},
+    {"dvr-pre-table", "DVR, pre-integrated, table of two values",
+     "mode=DVR_ONLY classification=preintegrated_table placement=entry"},
     {"peaks", "Peaks alone, divided steps", "mode=PEAK_ONLY peak_form=split"},
     {"peaks-paper", "Peaks alone, as published", "mode=PEAK_ONLY peak_form=paper"},
     {"xor", "Peaks and base TF, divided steps", "mode=PEAK_XOR_DVR peak_form=split"},
     {"xor-paper", "Peaks or samples, as published", "mode=PEAK_XOR_DVR peak_form=paper"},
+    {"xor-pre", "Peaks and base TF, divided steps, pre-integrated",
+     "mode=PEAK_XOR_DVR peak_form=split classification=preintegrated"},
+    {"xor-pre-table", "Peaks and base TF, divided steps, table of two values",
+     "mode=PEAK_XOR_DVR peak_form=split classification=preintegrated_table placement=entry"},
     {"both", "Peaks and DVR, divided steps", "mode=both peak_form=split"},
+    {"both-pre", "Peaks and DVR, divided steps, pre-integrated",
+     "mode=both peak_form=split classification=preintegrated"},
     {"both-paper", "Peaks and DVR, as published", "mode=both peak_form=paper"},
 };
 
@@ -56,6 +65,7 @@ Rendering measured_rendering(const Method& method, double step, const Rendering&
   preset.rendering.background = scene.background;
   preset.rendering.max_peaks = scene.max_peaks;
   preset.rendering.peak_bins = scene.peak_bins;
+  preset.rendering.preintegration_bins = scene.preintegration_bins;
   preset.transfer_function = default_transfer_function();  // a preset has one
   for (const std::string& assignment : assignments_of(method, step)) preset = set_field(preset, assignment);
   return preset.rendering;

@@ -17,6 +17,8 @@ const std::vector<FeatureName>& all_features() {
       {&Features::extrema, "extrema", "EXTREMA"},
       {&Features::exclusive, "exclusive", "EXCLUSIVE"},
       {&Features::base_tf, "base_tf", nullptr},
+      {&Features::preintegrated, "preintegrated", "PREINTEGRATED"},
+      {&Features::preintegration_table, "preintegration_table", "PREINTEGRATION_TABLE"},
       {&Features::clip_box, "clip_box", nullptr},
       {&Features::shading, "shading", "SHADING"},
       {&Features::early_termination, "early_termination", "EARLY_TERMINATION"},

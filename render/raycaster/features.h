@@ -18,7 +18,9 @@ struct Features {
   bool extrema = false;        ///< surfaces entered and left within one step are looked for, too
   bool exclusive = false;      ///< in the paper's form: no DVR sample in a step with a crossing
   bool base_tf = false;        ///< DVR takes the TF without its spikes
-  bool clip_box = false;       ///< which takes something away from the volume
+  bool preintegrated = false;  ///< DVR by segments between field values, not by samples
+  bool preintegration_table = false;  ///< of both values, for one length; else by antiderivatives
+  bool clip_box = false;              ///< which takes something away from the volume
   bool shading = false;
   bool early_termination = false;
   bool empty_cells = false;  ///< voxels without a value are in view

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "presets/error.h"
 #include "presets/names.h"
+#include "render/classify/antiderivatives.h"
 #include "render/classify/peak_table.h"
 #include "render/view.h"
 
@@ -37,6 +39,8 @@ struct Scenery {
   std::string why_no_dvr() const;
   std::string why_no_peaks() const;
   std::string why_no_several_peaks(int peak_bins) const;
+  std::string why_no_preintegration() const;
+  std::string why_no_preintegration_table() const;
   std::string why_no_clip_box() const;
   std::string why_no_early_termination(const Features& features) const;
   std::string why_no_empty_cells() const;
@@ -48,7 +52,11 @@ struct Scenery {
   }
   /// No two samples next to each other are further apart, in smallest spacings.
   double longest_step() const {
-    return rendering.step * (rendering.placement == Placement::entry_exit ? 2 : 1) * (1 + 1e-4);
+    // Pre-integrated segments take in what eye and entry leave over at the span's ends
+    const bool is_longer =
+        rendering.placement == Placement::entry_exit ||
+        (rendering.placement != Placement::entry_exit_corner && why_no_preintegration().empty());
+    return rendering.step * (is_longer ? 2 : 1) * (1 + 1e-4);
   }
   int spans(const Features& features) const {  // of a ray
     return features.empty_cells ? grid.dims.x + grid.dims.y + grid.dims.z : 1;
@@ -95,6 +103,18 @@ std::string Scenery::why_no_several_peaks(int peak_bins) const {
   const double bin = peak_bins > 0 ? field().width() / peak_bins * (1 + 1e-3) : 0;
   if (!(reach + 2 * bin < gap)) return "";
   return fmt::format("values change by {:.3g} at most in a step, and surfaces are {:.3g} apart", reach, gap);
+}
+
+std::string Scenery::why_no_preintegration() const {
+  return rendering.classification == ClassificationMethod::post ? "rendering.classification is post"
+                                                                : why_no_dvr();
+}
+
+std::string Scenery::why_no_preintegration_table() const {
+  if (const std::string none = why_no_preintegration(); !none.empty()) return none;
+  return rendering.classification == ClassificationMethod::preintegrated_table
+             ? ""
+             : "antiderivatives hold for every length";
 }
 
 std::string Scenery::why_no_clip_box() const {
@@ -227,6 +247,10 @@ void Decision::decide_tf_table() {
     need_.tf_table =
         tf_table_size(s_.dvr_tf(), s_.field(), spacing, glm::length(s_.grid.box_size()) / spacing);
   if (forced_.large_tables) need_.tf_table.entries = largest_tf_table;
+  decide(&Features::preintegrated, s_.why_no_preintegration(), false);
+  decide(&Features::preintegration_table, s_.why_no_preintegration_table(), false);
+  if (need_.features.preintegration_table)
+    need_.preintegration_bins = is_constant(s_.dvr_tf(), s_.field()) ? 2 : s_.rendering.preintegration_bins;
 }
 
 void Decision::decide_rays(bool statistics) {
@@ -261,9 +285,10 @@ void Decision::write_list() {
   if (const auto& part = need_.tf_table.blurred)
     list.notes.push_back(
         fmt::format("the transfer function {} at {:.6g}, {} than an entry of the largest table: DVR shows it "
-                    "blurred, or not at all",
+                    "blurred, {}",
                     part->width() > 0 ? "has a feature" : "has a step", part->min,
-                    part->width() > 0 ? fmt::format("{:.3g} wide, narrower", part->width()) : "narrower"));
+                    part->width() > 0 ? fmt::format("{:.3g} wide, narrower", part->width()) : "narrower",
+                    need_.features.preintegrated ? "with all of its depth" : "or not at all"));
 }
 
 Need Decision::make(bool statistics) {
@@ -300,6 +325,7 @@ double largest_change(const Grid& grid, const VolumeStatistics& statistics, doub
 
 Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
                const Camera& camera, double aspect, bool statistics, const Forced& forced) {
+  if (const std::string why_not = why_inconsistent(rendering); !why_not.empty()) throw Error(why_not);
   const Box box = rendered_box(volume.grid, rendering.clip_box);
   const Scenery scenery{volume.grid,
                         volume.statistics,
@@ -327,7 +353,13 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
     add("empty_cells", fmt::format("{}x{}x{} cells", cells.x, cells.y, cells.z),
         std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z));
   }
-  if (f.dvr)
+  if (f.preintegration_table)
+    add("preintegration_table", fmt::format("{0}x{0} bins", need.preintegration_bins),
+        std::size_t(need.preintegration_bins) * std::size_t(need.preintegration_bins) * 4 * sizeof(float));
+  else if (f.preintegrated)
+    add("antiderivatives", fmt::format("{} entries", need.tf_table.entries + 1),
+        std::size_t(need.tf_table.entries + 1) * sizeof(Antiderivatives::Entry));
+  else if (f.dvr)
     add("transfer_function", fmt::format("{} entries", need.tf_table.entries),
         std::size_t(need.tf_table.entries) * 4 * sizeof(float));
   if (f.peaks) {

@@ -33,8 +33,10 @@ struct Need {
   Features features;     ///< of the shader
   Features needed;       ///< the same, but for those that were forced in
   FeatureList list;
-  TfTableSize tf_table;  ///< where features.dvr
-  int peak_bins = 0;     ///< of the peak table on each axis, where there is one
+  TfTableSize
+      tf_table;  ///< where features.dvr; as many stretches of antiderivatives, less one, where preintegrated
+  int preintegration_bins = 0;  ///< of the pre-integration table on each axis, where there is one
+  int peak_bins = 0;            ///< of the peak table on each axis, where there is one
   /// Intervals of the longest ray, and how many of them a pass renders: some drivers end long loops in
   /// silence.
   int intervals = 0, intervals_per_pass = 1;
@@ -54,7 +56,8 @@ struct Forced {
 
 /// The one function that decides, from the volume's grid and statistics, the TF's peaks, the settings, the
 /// camera with its picture's width by its height, and whether costs are to be counted. It takes O(points of
-/// the TF) and some microseconds. Throws Error for a camera that has no picture.
+/// the TF) and some microseconds. Throws Error for a camera that has no picture, and for settings that do not
+/// go together.
 Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
                const Camera& camera, double aspect, bool statistics, const Forced& forced = {});
 

@@ -1,4 +1,5 @@
-// The single-pass ray caster: uniform steps, post-classification, peak finding (Knoll et al. 2009, appendix).
+// The single-pass ray caster: uniform steps, post-classification or pre-integration, peak finding (Knoll et al. 2009,
+// appendix).
 // DVR, PEAKS, SPLIT, ... are 0 or 1, from what the scene needs (raycaster/features.h).
 
 #include "ray.glsl"
@@ -7,11 +8,11 @@
 #include "compositing.glsl"
 #include "shading.glsl"
 #include "placement.glsl"
-#if DVR
+#if DVR && !PREINTEGRATED
 #include "transfer_function.glsl"
 #endif
 #if PEAKS
-#include "peaks.glsl"
+#include "crossings.glsl"
 #endif
 
 layout(location = 0) out vec4 out_color;
@@ -27,7 +28,10 @@ uniform float least_residual;
 #define TERMINATED false
 #endif
 
-#if PEAKS
+#if DVR && PREINTEGRATED
+#include "march_preintegrated.glsl"
+int interval_total(Sampling s) { return segment_count(s); }
+#elif PEAKS
 // Interval i lies between samples i-1 and i: the n-1 between samples, and one at either end, so that each crossing
 // is isolated and no value of the field is evaluated twice.
 int interval_total(Sampling s) { return s.n + 1; }
