@@ -21,6 +21,10 @@ namespace {
 constexpr std::pair<const char*, const char*> without_part[] = {
     {"step", "nothing is sampled: the integral is solved piece by piece"},
     {"placement", "nothing is sampled"},
+    {"sampling", "nothing is sampled"},
+    {"s_k", "nothing is sampled"},
+    {"adaptive", "nothing is sampled"},
+    {"skipping", "what is empty is known cell by cell"},
     {"max_peaks", "every crossing is composited"},
     {"peak_bins", "crossings are solved for, not looked up"},
     {"shading", "an exact answer has none"},

@@ -44,7 +44,8 @@ double longest_ray(const Camera& camera, const Box& box) {
   double farthest = 0;
   for (const glm::dvec3& corner : corners_of(box))
     farthest = std::max(farthest, glm::length(corner - camera.eye));
-  return std::min(farthest - nearest, glm::length(box.max - box.min));
+  const double rounding = 0x1p-50 * farthest;  // of the two: from far away nothing else would be left
+  return std::min(farthest - nearest + rounding, glm::length(box.max - box.min));
 }
 
 }  // namespace crest

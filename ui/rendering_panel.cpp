@@ -49,8 +49,7 @@ bool clip_rows(WidgetState& widgets, std::optional<ClipBox>& clip, const Volume*
   row("Clip box", "Only what lies in this box is rendered: from and to on each axis, in world units");
   bool clipped = clip.has_value();
   if (volume || clipped) {
-    changed = ImGui::Checkbox("##clip box", &clipped);
-    note_item(widgets, "##clip box");
+    changed = checkbox(widgets, "##clip box", clipped);
   } else {
     ImGui::TextDisabled("no volume");
   }
@@ -90,7 +89,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
   ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
   const float field = scaled(180);
   bool changed = false;
-  row("Step", "Length of a ray's steps, in the smallest spacing of the volume");
+  row("Step", "Length of a ray's steps, in the smallest spacing of the volume; of uniform sampling");
   changed |= number_field(widgets, "##step", r.step, {least_step, largest_step}, field);
   row("Placement",
       "Where a ray's samples lie:\nentry_exit_corner - midpoints of equal segments, at least one\nentry_exit "
@@ -99,20 +98,36 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
       "the last "
       "one falls short or sticks out");
   changed |= choice(widgets, "##placement", r.placement, field);
+  row("Sampling",
+      "How long a ray's steps are:\nuniform - all of the length above\ndifferential - growing with the "
+      "distance from "
+      "the eye (Knoll et al. 2009)\nfootprint - in proportion to what a pixel covers");
+  changed |= choice(widgets, "##sampling", r.sampling, field);
+  if (r.sampling != Sampling::uniform) {
+    row("Pixels a step", "s_k: the step at the eye, in pixels' diagonals at distance 1");
+    changed |= number_field(widgets, "##s_k", r.s_k, {least_step, largest_step}, field);
+  }
+  row("Adaptive", "Joins up to 8 steps to one where the field is smooth");
+  changed |= checkbox(widgets, "##adaptive", r.adaptive);
+  row("Skip empty space", "Takes no samples where nothing shows; the picture stays the same");
+  changed |= checkbox(widgets, "##skipping", r.skipping);
   row("Classification",
       "How a step's colour and opacity follow from the field:\npost - the TF at a sample\npreintegrated - "
       "the TF's "
-      "antiderivatives between the values at the step's ends; any step\npreintegrated_table - a table of "
-      "both "
-      "values; it holds one step length, so it takes the placement entry");
+      "antiderivatives between the values at the step's ends\npreintegrated_table - a table of both values; "
+      "it holds "
+      "one step length, so it takes uniform sampling from the entry");
   const bool classified = choice(widgets, "##classification", r.classification, field);
-  row("Table bins, DVR", "Bins of the pre-integration table on each axis");
-  changed |= integer_field(widgets, "##preintegration bins", r.preintegration_bins, 2, 2048, field);
+  if (r.classification == ClassificationMethod::preintegrated_table) {
+    row("Table bins, DVR", "Bins of the pre-integration table on each axis");
+    changed |= integer_field(widgets, "##preintegration bins", r.preintegration_bins, 2, 2048, field);
+  }
   row("Peak form",
       "How a step with crossings is integrated:\nsplit - divided at its crossings (second order)\npaper - as "
       "published (first order)");
   changed |= choice(widgets, "##peak form", r.peak_form, field);
-  row("Most peaks a step", "Crossings that one step composites at most");
+  row("Most peaks a step",
+      "Crossings that one step composites at most in the paper's form; the split form composites all");
   changed |= integer_field(widgets, "##max peaks", r.max_peaks, 1, 64, field);
   row("Table bins, peaks", "Bins of the peak table on each axis");
   changed |= integer_field(widgets, "##peak bins", r.peak_bins, 1, 4096, field);

@@ -76,6 +76,12 @@ bool integer_field(WidgetState& state, const char* name, int& value, int least, 
   return value != before;
 }
 
+bool checkbox(WidgetState& state, const char* name, bool& value) {
+  const bool changed = ImGui::Checkbox(name, &value);
+  note_item(state, name);
+  return changed;
+}
+
 bool slider(WidgetState& state, const char* name, double& value, ValueRange limits, float width) {
   ImGui::SetNextItemWidth(width);
   const double before = value;

@@ -18,6 +18,10 @@ constexpr Method table[] = {
     {"dvr-pre", "DVR, pre-integrated", "mode=DVR_ONLY classification=preintegrated"},
     {"dvr-pre-table", "DVR, pre-integrated, table of two values",
      "mode=DVR_ONLY classification=preintegrated_table placement=entry"},
+    {"dvr-differential", "DVR, steps as published (s_k = 8 step)", "mode=DVR_ONLY sampling=differential",
+     true, 8},
+    {"dvr-footprint", "DVR, steps by footprint (s_k = 8 step)", "mode=DVR_ONLY sampling=footprint", true, 8},
+    {"dvr-adaptive", "DVR, steps joined where smooth", "mode=DVR_ONLY adaptive=true"},
     {"peaks", "Peaks alone, divided steps", "mode=PEAK_ONLY peak_form=split"},
     {"peaks-paper", "Peaks alone, as published", "mode=PEAK_ONLY peak_form=paper"},
     {"xor", "Peaks and base TF, divided steps", "mode=PEAK_XOR_DVR peak_form=split"},
@@ -26,6 +30,11 @@ constexpr Method table[] = {
      "mode=PEAK_XOR_DVR peak_form=split classification=preintegrated"},
     {"xor-pre-table", "Peaks and base TF, divided steps, table of two values",
      "mode=PEAK_XOR_DVR peak_form=split classification=preintegrated_table placement=entry"},
+    {"xor-differential", "Peaks and base TF, steps as published (s_k = 8 step)",
+     "mode=PEAK_XOR_DVR sampling=differential", true, 8},
+    {"xor-footprint", "Peaks and base TF, steps by footprint (s_k = 8 step)",
+     "mode=PEAK_XOR_DVR sampling=footprint", true, 8},
+    {"xor-adaptive", "Peaks and base TF, steps joined where smooth", "mode=PEAK_XOR_DVR adaptive=true"},
     {"both", "Peaks and DVR, divided steps", "mode=both peak_form=split"},
     {"both-pre", "Peaks and DVR, divided steps, pre-integrated",
      "mode=both peak_form=split classification=preintegrated"},
@@ -55,7 +64,10 @@ std::vector<std::string> assignments_of(const Method& method, double step) {
   std::vector<std::string> assignments;
   for (const std::string_view word : words_of(method.settings))
     assignments.push_back(fmt::format("rendering.{}", word));
-  if (method.has_step) assignments.push_back(fmt::format("rendering.step={}", step));
+  if (method.s_k_per_step > 0)
+    assignments.push_back(fmt::format("rendering.s_k={}", step * method.s_k_per_step));
+  else if (method.has_step)
+    assignments.push_back(fmt::format("rendering.step={}", step));
   return assignments;
 }
 
@@ -76,7 +88,8 @@ Rendering with_method(const Rendering& scene, const Method& method, double step)
   rendering.shading = scene.shading;
   rendering.early_termination = scene.early_termination;
   rendering.unknown = scene.unknown;
-  if (!method.has_step) rendering.step = scene.step;
+  if (!method.has_step || method.s_k_per_step > 0) rendering.step = scene.step;
+  if (method.s_k_per_step == 0) rendering.s_k = scene.s_k;
   return rendering;
 }
 

@@ -23,8 +23,12 @@ struct Features {
   bool clip_box = false;              ///< which takes something away from the volume
   bool shading = false;
   bool early_termination = false;
-  bool empty_cells = false;  ///< voxels without a value are in view
-  bool long_rays = false;    ///< drawn in several passes
+  bool differential = false;  ///< steps that grow with the distance from the eye, as published
+  bool footprint = false;     ///< or in proportion to it
+  bool adaptive = false;      ///< steps are joined where the field is smooth
+  bool skipping = false;      ///< of macrocells in which nothing shows
+  bool empty_cells = false;   ///< voxels without a value are in view
+  bool long_rays = false;     ///< drawn in several passes
   bool statistics = false;
   Placement placement = Placement::entry_exit_corner;
 

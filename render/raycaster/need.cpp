@@ -10,7 +10,9 @@
 #include "presets/names.h"
 #include "render/classify/antiderivatives.h"
 #include "render/classify/peak_table.h"
+#include "render/raycaster/step_lengths.h"
 #include "render/view.h"
+#include "render/volume/macrocells.h"
 
 namespace crest {
 namespace {
@@ -26,9 +28,10 @@ struct Scenery {
   const Classification& classification;
   const Rendering& rendering;
   const Camera& camera;
-  double aspect;
+  glm::ivec2 size;     ///< of the picture
   Box box;             ///< what is rendered, in world units
   double longest_ray;  ///< in it, in smallest spacings
+  StepLengths steps;   ///< on its rays
 
   ValueRange field() const { return statistics.range; }
   const std::vector<Peak>& surfaces() const { return classification.surfaces; }
@@ -50,22 +53,27 @@ struct Scenery {
   const TransferFunction& dvr_tf() const {
     return why_no_base_tf().empty() ? classification.base : classification.tf;
   }
-  /// No two samples next to each other are further apart, in smallest spacings.
-  double longest_step() const {
-    // Pre-integrated segments take in what eye and entry leave over at the span's ends
-    const bool is_longer =
-        rendering.placement == Placement::entry_exit ||
-        (rendering.placement != Placement::entry_exit_corner && why_no_preintegration().empty());
-    return rendering.step * (is_longer ? 2 : 1) * (1 + 1e-4);
-  }
-  int spans(const Features& features) const {  // of a ray
-    return features.empty_cells ? grid.dims.x + grid.dims.y + grid.dims.z : 1;
-  }
+  double aspect() const { return double(size.x) / size.y; }
+  int spans(const Features& features) const;
+  int walk_rounds(const Features& features) const;
 };
+
+/// Stretches of a ray that are marched on their own, at most: each may take two intervals more.
+int Scenery::spans(const Features& features) const {
+  const int cells = grid.dims.x + grid.dims.y + grid.dims.z;
+  return 1 + (features.empty_cells ? cells : 0) + (features.adaptive ? cells / macrocell_side(grid) + 3 : 0);
+}
+
+/// Rounds of the loops that walk along a ray.
+int Scenery::walk_rounds(const Features& features) const {
+  const int cells = grid.dims.x + grid.dims.y + grid.dims.z;
+  const int macrocells = features.adaptive || features.skipping ? 4 * (cells / macrocell_side(grid) + 3) : 0;
+  return (features.empty_cells ? 2 * cells : 0) + macrocells;
+}
 
 std::string Scenery::why_nothing() const {
   if (box.is_empty()) return "the clip box leaves nothing of the volume";
-  return may_see(camera, aspect, box) ? "" : "the camera does not see the volume";
+  return may_see(camera, aspect(), box) ? "" : "the camera does not see the volume";
 }
 
 // The base TF holds also where no spike's own value is in the field's range: its flanks may be.
@@ -98,7 +106,7 @@ std::string Scenery::why_no_peaks() const {
 
 std::string Scenery::why_no_several_peaks(int peak_bins) const {
   if (surfaces().size() == 1) return "there is one surface";
-  const double reach = largest_change(grid, statistics, longest_step() * grid.smallest_spacing());
+  const double reach = largest_change(grid, statistics, steps.longest * grid.smallest_spacing());
   const double gap = smallest_gap(surfaces());
   const double bin = peak_bins > 0 ? field().width() / peak_bins * (1 + 1e-3) : 0;
   if (!(reach + 2 * bin < gap)) return "";
@@ -130,11 +138,11 @@ std::string Scenery::why_no_early_termination(const Features& features) const {
   double depth = 0;
   if (features.dvr)
     depth += extinction(largest_opacity(dvr_tf(), field()), classification.tf.unit_distance) *
-             (longest_ray + longest_step()) * grid.smallest_spacing();
+             (longest_ray + steps.longest) * grid.smallest_spacing();
   if (features.peaks) {
     const double opacity = std::ranges::max(surfaces(), {}, &Peak::opacity).opacity;
-    const double most = std::min(rendering.max_peaks, 2 * int(surfaces().size()));
-    depth -= std::log1p(-opacity) * most * (std::ceil(longest_ray / rendering.step) + 2) * spans(features);
+    const double most = is_split() ? 2 * int(surfaces().size()) : rendering.max_peaks;
+    depth -= std::log1p(-opacity) * most * (steps.most + 2 * spans(features));
   }
   const double least = std::exp(-depth);
   if (!(least * (1 - 1e-3) > rendering.early_termination)) return "";
@@ -151,7 +159,7 @@ std::string Scenery::why_no_empty_cells() const {
   const glm::dvec3 margin = 1e-3 * grid.spacing;
   const Box met{glm::max(empty.min - margin, box.min), glm::min(empty.max + margin, box.max)};
   if (met.is_empty()) return "the clip box leaves no cell without a value";
-  return may_see(camera, aspect, met) ? "" : "no cell without a value is in view";
+  return may_see(camera, aspect(), met) ? "" : "no cell without a value is in view";
 }
 
 std::string Scenery::why_no_long_rays(const Need& need) const {
@@ -160,24 +168,23 @@ std::string Scenery::why_no_long_rays(const Need& need) const {
 }
 
 int intervals_of(const Scenery& s, const Features& features) {
-  const double steps = std::ceil(s.longest_ray * (1 + 1e-4) / s.rendering.step);
-  return int(std::min(steps + 2.0 * s.spans(features), 2e9));
+  return int(std::min(s.steps.most + 2.0 * s.spans(features), 2e9));
 }
 
 int intervals_per_pass(const Scenery& s, const Features& features) {
-  const int walk = features.empty_cells ? 2 * s.spans(features) : 0;
   const int candidates = features.peak_table      ? std::max(int(s.surfaces().size()), 1)
                          : features.several_peaks ? most_listed_peaks
                                                   : 1;
   // A step may be two parts; a crossing in one takes a round, and two for its root
   const int rounds = features.peaks ? 4 + 6 * candidates : 1;
-  return std::max(1, (most_loop_rounds - walk) / rounds);
+  return std::max(1, (most_loop_rounds - s.walk_rounds(features)) / rounds);
 }
 
 /// Takes the features one after the other: each may depend on those before it.
 class Decision {
  public:
-  Decision(const Scenery& scenery, const Forced& forced) : s_(scenery), forced_(forced) {}
+  Decision(const Scenery& scenery, const Forced& forced, const OccupiedShare& occupied_share)
+      : s_(scenery), forced_(forced), occupied_share_(occupied_share) {}
   Need make(bool statistics);
 
  private:
@@ -191,11 +198,14 @@ class Decision {
   void decide_peaks();
   void decide_forms();
   void decide_tf_table();
+  void decide_steps();
+  std::string why_no_skipping() const;
   void decide_rays(bool statistics);
   void write_list();
 
   const Scenery& s_;
   const Forced& forced_;
+  const OccupiedShare& occupied_share_;
   Need need_;
   std::vector<std::pair<bool Features::*, std::string>> reasons_;
 };
@@ -251,6 +261,32 @@ void Decision::decide_tf_table() {
   decide(&Features::preintegration_table, s_.why_no_preintegration_table(), false);
   if (need_.features.preintegration_table)
     need_.preintegration_bins = is_constant(s_.dvr_tf(), s_.field()) ? 2 : s_.rendering.preintegration_bins;
+  const int entries =
+      need_.features.preintegration_table ? need_.preintegration_bins : need_.tf_table.entries;
+  if (need_.needed.dvr) need_.tf_blur = s_.field().width() / (entries - 1);
+}
+
+// Without this much that is empty the walk through the macrocells takes longer than it saves
+// (bench_features).
+constexpr double most_occupied = 0.8;
+
+std::string Decision::why_no_skipping() const {
+  if (!s_.rendering.skipping) return "rendering.skipping is false";
+  if (!occupied_share_) return "no macrocells are known";
+  const double share = occupied_share_(need_.needed, need_.tf_blur);
+  return share <= most_occupied ? ""
+                                : fmt::format("{:.0f} % of the macrocells may show something", 100 * share);
+}
+
+void Decision::decide_steps() {
+  const Sampling sampling = s_.rendering.sampling;
+  const std::string name = fmt::format("rendering.sampling is {}", name_of(sampling));
+  decide(&Features::differential, sampling == Sampling::differential ? "" : name, false);
+  decide(&Features::footprint, sampling == Sampling::footprint ? "" : name, false);
+  decide(&Features::adaptive, s_.rendering.adaptive ? "" : "rendering.adaptive is false", false);
+  decide(&Features::skipping, why_no_skipping());
+  if (sampling == Sampling::uniform)
+    need_.features.placement = need_.needed.placement = s_.rendering.placement;
 }
 
 void Decision::decide_rays(bool statistics) {
@@ -258,7 +294,12 @@ void Decision::decide_rays(bool statistics) {
   const auto if_sampled = [&](std::string why_not) {
     return samples ? std::move(why_not) : "nothing is sampled";
   };
-  if (samples) need_.features.placement = need_.needed.placement = s_.rendering.placement;
+  if (samples)
+    decide_steps();
+  else
+    for (const auto feature :
+         {&Features::differential, &Features::footprint, &Features::adaptive, &Features::skipping})
+      decide(feature, "nothing is sampled", false);
   decide(&Features::clip_box, s_.why_no_clip_box(), false);
   decide(&Features::shading,
          if_sampled(s_.rendering.shading == Shading::gradient ? "" : "rendering.shading is none"));
@@ -279,9 +320,12 @@ void Decision::write_list() {
     for (const auto& [in, why_not] : reasons_)
       if (in == feature.in && !(need_.features.*in)) list.left_out.emplace_back(feature.name, why_not);
   if (need_.features.placement == Placement::entry_exit_corner)
-    list.left_out.emplace_back("placement", s_.rendering.placement == Placement::entry_exit_corner
-                                                ? "entry_exit_corner, the default, is the plain shader"
-                                                : "nothing is sampled");
+    list.left_out.emplace_back("placement",
+                               s_.rendering.sampling != Sampling::uniform
+                                   ? fmt::format("rendering.sampling is {}", name_of(s_.rendering.sampling))
+                               : s_.rendering.placement == Placement::entry_exit_corner
+                                   ? "entry_exit_corner, the default, is the plain shader"
+                                   : "nothing is sampled");
   if (const auto& part = need_.tf_table.blurred)
     list.notes.push_back(
         fmt::format("the transfer function {} at {:.6g}, {} than an entry of the largest table: DVR shows it "
@@ -324,18 +368,21 @@ double largest_change(const Grid& grid, const VolumeStatistics& statistics, doub
 }
 
 Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
-               const Camera& camera, double aspect, bool statistics, const Forced& forced) {
+               const Camera& camera, glm::ivec2 size, bool statistics, const Forced& forced,
+               const OccupiedShare& occupied_share) {
   if (const std::string why_not = why_inconsistent(rendering); !why_not.empty()) throw Error(why_not);
   const Box box = rendered_box(volume.grid, rendering.clip_box);
+  const double spacing = volume.grid.smallest_spacing();
   const Scenery scenery{volume.grid,
                         volume.statistics,
                         classification,
                         rendering,
                         camera,
-                        aspect,
+                        size,
                         box,
-                        longest_ray(camera, box) / volume.grid.smallest_spacing()};
-  return Decision(scenery, forced).make(statistics);
+                        longest_ray(camera, box) / spacing,
+                        step_lengths(rendering, camera, size, box, spacing)};
+  return Decision(scenery, forced, occupied_share).make(statistics);
 }
 
 std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Classification& classification) {
@@ -351,6 +398,12 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
   if (f.empty_cells) {
     const glm::ivec3 cells = dims - 1;
     add("empty_cells", fmt::format("{}x{}x{} cells", cells.x, cells.y, cells.z),
+        std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z));
+  }
+  if (f.adaptive || f.skipping) {
+    const int side = macrocell_side(volume.grid);
+    const glm::ivec3 cells = (dims - 2 + side) / side;
+    add("macrocells", fmt::format("{}x{}x{}, of {} cells a side", cells.x, cells.y, cells.z, side),
         std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z));
   }
   if (f.preintegration_table)

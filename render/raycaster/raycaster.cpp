@@ -11,6 +11,7 @@
 #include "presets/error.h"
 #include "render/camera.h"
 #include "render/gl/program.h"
+#include "render/raycaster/macrocell_store.h"
 #include "render/raycaster/preintegration_textures.h"
 #include "render/raycaster/table_textures.h"
 #include "render/raycaster/volume_texture.h"
@@ -22,6 +23,7 @@ namespace {
 enum Unit : GLuint {
   volume_unit,
   empty_cells_unit,
+  macrocells_unit,
   tf_unit,  ///< or what stands for the TF: antiderivatives, pre-integration table
   peak_table_unit,
   peak_runs_unit
@@ -61,6 +63,7 @@ void set_view(GLuint program, const Scene& scene, const Camera& camera, glm::ive
   set(program, "ray_v", glm::vec3(rays.v));
   set(program, "eye_to_anchor", float(rays.eye_to_anchor));
   set(program, "step_length", float(scene.rendering.step));
+  set(program, "s_k", float(scene.rendering.s_k));
 }
 
 void set_few_peaks(GLuint program, const std::vector<Peak>& peaks) {
@@ -104,6 +107,7 @@ struct Raycaster::State {
 
   std::optional<Classification> classification;
   Tables tables;
+  MacrocellStore macrocells;
   Tables no_tables;  ///< of a TF that shows nothing, for what is forced in
 
   struct Variant {
@@ -119,6 +123,7 @@ struct Raycaster::State {
   Need need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics);
   const gl::ProgramHandle& program(const Features& features);
   void bind(const Scene& scene, const Need& need, GLuint program);
+  void bind_macrocells(const Scene& scene, const Need& need, GLuint program);
   void bind_tf(const Scene& scene, const Need& need, GLuint program);
   void bind_antiderivatives(const TransferFunction& shown, DvrTables& held, const Need& need, GLuint program);
   void bind_preintegration(const TransferFunction& shown, DvrTables& held, double step, int bins,
@@ -134,6 +139,7 @@ void Raycaster::State::take_volume(const Scene& scene) {
   if (volume == scene.volume) return;
   classification.reset();
   volume.reset();
+  macrocells.forget_volume();
   values = {};  // the old one's room first
   empty_cells = {};
   units = stored_units(scene.volume->statistics.range);
@@ -146,12 +152,16 @@ void Raycaster::State::take_classification(const Scene& scene) {
   if (classification && classification->tf == scene.tf) return;
   classification = classify(scene.tf, scene.volume->statistics.range);
   tables = {};
+  macrocells.forget_tf();
 }
 
 Need Raycaster::State::need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics) {
   take_classification(scene);
-  return find_need(*scene.volume, *classification, scene.rendering, camera, double(size.x) / size.y,
-                   statistics, forced);
+  const auto occupied_share = [&](const Features& features, double blur) {
+    return macrocells.occupied_share(*scene.volume, *classification, scene.rendering, features, blur);
+  };
+  return find_need(*scene.volume, *classification, scene.rendering, camera, size, statistics, forced,
+                   occupied_share);
 }
 
 const gl::ProgramHandle& Raycaster::State::program(const Features& features) {
@@ -178,6 +188,7 @@ void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program
     glBindTextureUnit(empty_cells_unit, empty_cells.id());
     set(program, "empty_cells", int(empty_cells_unit));
   }
+  if (features.skipping || features.adaptive) bind_macrocells(scene, need, program);
   if (features.dvr) bind_tf(scene, need, program);
   if (features.peaks) bind_peaks(need, program);
   // What is forced in does not show
@@ -185,6 +196,17 @@ void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program
   set(program, "least_residual",
       need.needed.early_termination ? float(scene.rendering.early_termination) : 0.0f);
   set(program, "shading_strength", need.needed.shading ? 1.0f : 0.0f);
+}
+
+void Raycaster::State::bind_macrocells(const Scene& scene, const Need& need, GLuint program) {
+  Features features = need.needed;  // what is forced in does not show
+  features.skipping = need.features.skipping;
+  glBindTextureUnit(macrocells_unit,
+                    macrocells.texture(*volume, *classification, scene.rendering, features, need.tf_blur));
+  set(program, "macrocells", int(macrocells_unit));
+  const Grid& grid = volume->grid;
+  set(program, "macrocell_size",
+      glm::vec3(grid.spacing / grid.smallest_spacing() * double(MacrocellStore::side(*volume))));
 }
 
 void Raycaster::State::bind_tf(const Scene& scene, const Need& need, GLuint program) {

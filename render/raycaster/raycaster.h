@@ -30,7 +30,7 @@ struct RenderCounts {
   double samples = 0,
          dvr_samples = 0;  ///< field evaluations (gradient taps apart), and those that DVR classified
   double crossings = 0;
-  double crossings_left_out = 0;  ///< in steps with more than max_peaks
+  double crossings_left_out = 0;  ///< in steps with more than max_peaks, in the paper's form
 };
 RenderCounts sum_of(const std::vector<PixelCounts>& pixels);
 

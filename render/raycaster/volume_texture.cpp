@@ -47,6 +47,10 @@ gl::TextureHandle upload_volume(const Volume& volume, const StoredUnits& units) 
   return units.is_identity() ? upload_values(volume.values) : upload_values(units.stored(volume.values));
 }
 
+gl::TextureHandle upload_macrocells(glm::ivec3 dims, const std::vector<std::uint8_t>& values) {
+  return upload(dims, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, values.data(), GL_NEAREST);
+}
+
 gl::TextureHandle upload_empty_cells(const Volume& volume) {
   return upload(volume.grid.dims - 1, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
                 find_empty_cells(volume).data(), GL_NEAREST);

@@ -13,4 +13,7 @@ gl::TextureHandle upload_volume(const Volume& volume, const StoredUnits& units);
 /// Where they are: R8UI, a cell a texel, 1 where a corner has no value. Throws Error as above.
 gl::TextureHandle upload_empty_cells(const Volume& volume);
 
+/// A texel (R8UI) for each macrocell.
+gl::TextureHandle upload_macrocells(glm::ivec3 dims, const std::vector<std::uint8_t>& values);
+
 }  // namespace crest

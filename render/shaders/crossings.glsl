@@ -94,7 +94,7 @@ bool composite_interval(Ray ray, Interval now, out float before) {
       ++found;
       k = next_crossed(candidates, k + 1u, before, a, b);
     }
-    again = k < candidates.count && found < max_peaks;
+    again = k < candidates.count && !IS_FULL(found);
 #if STATISTICS
     for (uint left = k; !again && left < candidates.count; left = next_crossed(candidates, left + 1u, before, a, b))
       COUNT_LEFT_OUT;
@@ -108,7 +108,7 @@ bool composite_interval(Ray ray, Interval now, out float before) {
       b = now.b;
       candidates = candidates_between(a, b);
       k = next_crossed(candidates, 0u, before, a, b);
-      again = k < candidates.count && found < max_peaks;
+      again = k < candidates.count && !IS_FULL(found);
 #if PREINTEGRATED && DVR && SPLIT
       if (found > 0 || again) composite_until(now, from, a, found == 0, LIGHT(a.t));
 #endif

@@ -34,9 +34,8 @@ void composite_until(Interval now, Knot from, Knot hit, bool is_first, float lig
 #endif
 
 // The inner loop composites whole segments. A crossing cuts its segment; the next sample's piece then begins at the
-// cut, which is told to the inner loop as that sample's share of a step's extinction. Behind the last sample the exit
-// takes what is left. All that outlives the inner loop
-// is carried by it: Mesa 22.3's llvmpipe takes other values that were computed in a loop from its last lane.
+// cut. Behind the last sample the exit takes what is left. All that outlives the inner loop is carried by it: Mesa
+// 22.3's llvmpipe takes other values that were computed in a loop from its last lane.
 void march(Ray ray, Sampling s, int first, int last) {
   // Take up the march at the knot before the first interval; f0..f3 are the values of four samples in a row
   float t = sample_at(s, first - 1);
@@ -45,13 +44,13 @@ void march(Ray ray, Sampling s, int first, int last) {
   float f0 = first > 0 ? field(at(ray, sample_at(s, first - 2))) : f1;  // at the entry nothing is known of before
   float f3 = f2;
   if (first < s.n) f3 = field(at(ray, sample_at(s, first + 1)));
-  float share = 1.0;   // of a step that the next sample stands for
-  int cleared = -1;    // the interval whose crossings were composited
+  float next_piece = size_at(s, first);  // of the ray, that the sample after `a` stands for
+  int cleared = -1;                      // the interval whose crossings were composited
 #if DVR && SPLIT
-  float cut = first > 0 ? t : s.begin;  // where the piece of the sample `cut_sample` begins, which is no whole segment
+  float cut = first > 0 ? t : boundary_at(s, 0);  // where the piece of the sample `cut_sample` begins
   int cut_sample = first - 1;
   vec4 material = first > 0 ? material_at(ray, t, f1) : vec4(0.0);
-  material.a *= 0.5;   // the pass before ended at the sample
+  float piece = first > 0 ? boundary_at(s, first) - t : 0.0;  // a run before this one ended at the sample
 #endif
 
   int i = first;
@@ -59,21 +58,20 @@ void march(Ray ray, Sampling s, int first, int last) {
     while (i < last) {
       if (may_cross(least_between(f0, f1, f2, f3), most_between(f0, f1, f2, f3)) && i != cleared) break;
 #if DVR && SPLIT
-      composite(material.rgb, opacity_of(material.a * s.dt));
+      composite(material.rgb, opacity_of(material.a * piece));
       material = material_at(ray, sample_at(s, i), f2);
-      material.a *= share;
-      share = 1.0;
+      piece = next_piece;
       if (i < s.n) COUNT_DVR_SAMPLE;
 #elif DVR
       vec4 material = material_at(ray, sample_at(s, i), f2);
-      composite(material.rgb, opacity_of(i < s.n ? material.a * share * s.dt : 0.0));
-      if (i < s.n && share > 0.0) COUNT_DVR_SAMPLE;
-      share = 1.0;
+      composite(material.rgb, opacity_of(i < s.n ? material.a * next_piece : 0.0));
+      if (i < s.n && next_piece > 0.0) COUNT_DVR_SAMPLE;
 #endif
       f0 = f1;
       f1 = f2;
       f2 = f3;
       ++i;
+      next_piece = size_at(s, i);
       if (i < s.n) f3 = field(at(ray, sample_at(s, i + 1)));
       if (TERMINATED) i = last;
     }
@@ -82,32 +80,31 @@ void march(Ray ray, Sampling s, int first, int last) {
     Knot a = Knot(sample_at(s, i - 1), f1), b = Knot(sample_at(s, i), f2);
     float boundary = boundary_at(s, i), last_end = boundary_at(s, s.n);
 #if DVR && SPLIT
-    done = cut_sample == i - 1 ? cut : boundary - s.dt;
-    sample_material = vec4(material.rgb, i > 0 ? material.a * s.dt / (boundary - done) : 0.0);
+    done = cut_sample == i - 1 ? cut : boundary_at(s, i - 1);
+    sample_material = material;
 #endif
     bool crossed = composite_interval(ray, Interval(a, b, i == 0 ? f2 : f0, f3, boundary, last_end, i == 0), f1);
     cleared = i;
     if (crossed) {
 #if DVR && SPLIT
-      material.a = 0.0;
+      piece = 0.0;
       cut = done;
       cut_sample = i;
-      share = (min(boundary_at(s, i + 1), last_end) - done) / s.dt;
+      next_piece = min(boundary_at(s, i + 1), last_end) - done;
 #elif EXCLUSIVE
-      share = 0.0;
+      next_piece = 0.0;
 #endif
       if (TERMINATED) i = last;
     }
   }
-#if DVR && SPLIT && LONG_RAYS
-  // A pass that ends before the ray does ends at a sample; the next one begins there
+#if DVR && SPLIT && RUNS
+  // A run that ends before the ray does ends at a sample; the next one begins there
   if (last <= s.n && !TERMINATED) {
-    float end = boundary_at(s, last), begin = cut_sample == last - 1 ? cut : end - s.dt;
-    float before_sample = (end - 0.5 * s.dt - begin) / (end - begin);
-    composite(material.rgb, opacity_of(material.a * s.dt * before_sample));
+    float begin = cut_sample == last - 1 ? cut : boundary_at(s, last - 1);
+    composite(material.rgb, opacity_of(material.a * (middle_at(s, last - 1) - begin)));
   }
 #endif
 #if DVR && SPLIT
-  if (cut_sample == s.n) composite(material.rgb, opacity_of(material.a * s.dt));
+  if (cut_sample == s.n) composite(material.rgb, opacity_of(material.a * piece));
 #endif
 }

@@ -2,11 +2,9 @@
 // runs from entry to exit with every placement: these differ in where the ends between lie. A segment is shaded in
 // its middle; the paper shades it at its end, where the light is half a step off.
 
-#include "placement.glsl"
+#include "sampling.glsl"
 #include "preintegration.glsl"
 #include "shading.glsl"
-
-int segment_count(Sampling s) { return max(s.n, 1); }
 
 // The i-th segment's beginning; for i = n, the exit.
 float end_at(Sampling s, int i) {
@@ -44,13 +42,12 @@ void composite_until(Interval now, Knot from, Knot knot, bool is_first, float li
 #endif
 
 void march(Ray ray, Sampling s, int first, int last) {
-  int n = segment_count(s);
   // f0..f3 are the values of four ends in a row; at the entry nothing is known of before
   float f1 = field(at(ray, end_at(s, first)));
   float f2 = field(at(ray, end_at(s, first + 1)));
   float f0 = first > 0 ? field(at(ray, end_at(s, first - 1))) : f1;
   float f3 = f2;
-  if (first + 1 < n) f3 = field(at(ray, end_at(s, first + 2)));
+  if (first + 1 < s.n) f3 = field(at(ray, end_at(s, first + 2)));
   Place front = place_of(f1);
   int cleared = -1;      // the segment whose crossings were composited
   bool is_left = true;   // whether the next segment still is to be
@@ -70,7 +67,7 @@ void march(Ray ray, Sampling s, int first, int last) {
       f1 = f2;
       f2 = f3;
       ++i;
-      if (i + 1 < n) f3 = field(at(ray, end_at(s, i + 2)));
+      if (i + 1 < s.n) f3 = field(at(ray, end_at(s, i + 2)));
       if (TERMINATED) i = last;
     }
     if (i >= last) break;

@@ -13,7 +13,13 @@ struct Knot {
   float t, value;
 };
 
-uniform int max_peaks;  // crossings that one step composites
+// A step composites all its crossings; in the paper's form, as published, only so many.
+#if EXTREMA
+#define IS_FULL(found) false
+#else
+uniform int max_peaks;
+#define IS_FULL(found) (found >= max_peaks)
+#endif
 
 #if PEAK_TABLE
 // The table of entry and exit values, entry bin across and exit bin up: the least and the greatest isovalue that a

@@ -4,40 +4,28 @@
 // the entry or the eye, and those samples that lie in the span: so the segments end up to half a step before the exit
 // or stick out as far beyond it, and with EYE also at the entry.
 
-#include "ray.glsl"
-#include "spans.glsl"
+// Pre-integration has a segment in every span.
+#define LEAST_SEGMENTS PREINTEGRATED
 
 uniform float step_length;  // in units of the smallest spacing
 
-struct Sampling {
-  Span span;
-  int n;
-  float dt;
-  float begin;  // of the first segment
-};
+Sampling equal_segments(Span span, int n, float dt, float begin) {
+  return Sampling(span, n, begin, dt, begin + dt, 0.0, begin + float(n) * dt);
+}
 
 Sampling sample_span(Ray ray, Span span) {
   float size = span.exit - span.enter;
 #if PLACEMENT_EYE
   float first = (1.0 - fract((span.enter - ray.eye) / step_length)) * step_length;
-  return Sampling(span, max(0, int(ceil((size - first) / step_length))), step_length,
-                  span.enter + first - 0.5 * step_length);
+  return equal_segments(span, max(LEAST_SEGMENTS, int(ceil((size - first) / step_length))), step_length,
+                        span.enter + first - 0.5 * step_length);
 #elif PLACEMENT_ENTRY
-  return Sampling(span, max(0, int(ceil(size / step_length - 0.5))), step_length, span.enter);
+  return equal_segments(span, max(LEAST_SEGMENTS, int(ceil(size / step_length - 0.5))), step_length, span.enter);
 #elif PLACEMENT_ENTRY_EXIT
-  int n = int(floor(size / step_length));
-  return Sampling(span, n, size / float(max(n, 1)), span.enter);
+  int n = max(LEAST_SEGMENTS, int(floor(size / step_length)));
+  return equal_segments(span, n, size / float(max(n, 1)), span.enter);
 #else
   int n = max(1, int(ceil(size / step_length)));
-  return Sampling(span, n, size / float(n), span.enter);
+  return equal_segments(span, n, size / float(n), span.enter);
 #endif
 }
-
-// The i-th segment's middle. For i < n it lies in the span.
-float middle_at(Sampling s, int i) { return s.begin + (float(i) + 0.5) * s.dt; }
-
-// Where the i-th segment begins; for i = n, where the last one ends.
-float boundary_at(Sampling s, int i) { return s.begin + float(i) * s.dt; }
-
-// The i-th sample; before the first is the entry, after the last the exit.
-float sample_at(Sampling s, int i) { return i < 0 ? s.span.enter : i < s.n ? middle_at(s, i) : s.span.exit; }

@@ -1,13 +1,17 @@
-// The single-pass ray caster: uniform steps, post-classification or pre-integration, peak finding (Knoll et al. 2009,
-// appendix).
+// The single-pass ray caster: post-classification or pre-integration, peak finding (Knoll et al. 2009, appendix).
 // DVR, PEAKS, SPLIT, ... are 0 or 1, from what the scene needs (raycaster/features.h).
+
+// Whether a march may begin or end within a ray.
+#define RUNS (LONG_RAYS || SKIPPING)
 
 #include "ray.glsl"
 #include "statistics.glsl"
 #include "field.glsl"
 #include "compositing.glsl"
 #include "shading.glsl"
-#include "placement.glsl"
+#include "sampling.glsl"
+#include "empty_cells.glsl"
+#include "macrocells.glsl"
 #if DVR && !PREINTEGRATED
 #include "transfer_function.glsl"
 #endif
@@ -28,44 +32,99 @@ uniform float least_residual;
 #define TERMINATED false
 #endif
 
-#if DVR && PREINTEGRATED
+#if PREINTEGRATED
+#define INTERVALS_BEYOND_SEGMENTS 0
 #include "march_preintegrated.glsl"
-int interval_total(Sampling s) { return segment_count(s); }
 #elif PEAKS
 // Interval i lies between samples i-1 and i: the n-1 between samples, and one at either end, so that each crossing
 // is isolated and no value of the field is evaluated twice.
-int interval_total(Sampling s) { return s.n + 1; }
+#define INTERVALS_BEYOND_SEGMENTS 1
 #include "march_peaks.glsl"
 #elif DVR
-int interval_total(Sampling s) { return s.n; }
+#define INTERVALS_BEYOND_SEGMENTS 0
 
 void march(Ray ray, Sampling s, int first, int last) {
   for (int i = first; i < last; ++i) {
     float t = middle_at(s, i);
     vec4 material = classify(field(at(ray, t)));
     COUNT_DVR_SAMPLE;
-    composite(material.rgb * LIGHT(t), opacity_of(material.a * s.dt));
+    composite(material.rgb * LIGHT(t), opacity_of(material.a * size_at(s, i)));
     if (TERMINATED) break;
   }
 }
 #else
-int interval_total(Sampling s) { return 0; }
+#define INTERVALS_BEYOND_SEGMENTS 0
 void march(Ray ray, Sampling s, int first, int last) {}
 #endif
 
-// Renders a span; in passes only the intervals [first_interval, first_interval + interval_count) of those before
-// `index` and after.
+int interval_total(Sampling s) { return s.n + INTERVALS_BEYOND_SEGMENTS; }
+
+// Marches the intervals [first, last) of a sampling; in passes only those that are the pass's. `index` is the number of
+// intervals before this sampling's.
+void march_part(Ray ray, Sampling s, int first, int last, int index) {
+#if LONG_RAYS
+  first = max(first, first_interval - index);
+  last = min(last, first_interval + interval_count - index);
+#endif
+  if (first < last) march(ray, s, first, last);
+}
+
+#if ADAPTIVE
+// The segments that a stretch of macrocells meets are joined as its cells allow; one that lies in two belongs to the
+// first. Each part is sampled as a span of its own.
 void march_span(Ray ray, Span span, inout int index) {
   Sampling s = sample_span(ray, span);
-  int total = interval_total(s);
-#if LONG_RAYS
-  int first = max(first_interval - index, 0), last = min(first_interval + interval_count - index, total);
-  if (first < last) march(ray, s, first, last);
-  index += total;
-#else
-  march(ray, s, 0, total);
-#endif
+  Walk walk = begin_macrocells(ray, span);
+  bool more = true;
+  Span stretch;
+  uint multiple;
+  int marched = 0;
+  while (!TERMINATED && next_stretch(walk, more, stretch, multiple)) {
+    int first = max(marched, int(floor(index_at(s, stretch.enter - slack))));
+    marched = max(marched, min(int(floor(index_at(s, stretch.exit + slack))) + 1, s.n));
+    if (first >= marched) continue;
+    Sampling part = joined(s, first, marched, int(multiple));
+    march_part(ray, part, 0, interval_total(part), index);
+    index += interval_total(part);
+  }
 }
+#elif SKIPPING
+// The intervals that a stretch of macrocells meets, so that with skipping and without it the same samples are taken.
+bool next_run(inout Walk walk, inout bool more, Sampling s, out ivec2 run) {
+  Span stretch;
+  uint multiple;
+  bool found = next_stretch(walk, more, stretch, multiple);
+  run.x = max(int(floor(index_at(s, stretch.enter - slack))), 0);
+  run.y = min(int(floor(index_at(s, stretch.exit + slack))) + 1 + INTERVALS_BEYOND_SEGMENTS, interval_total(s));
+  return found;
+}
+
+// To take up a march costs as many samples: over a gap of less it goes on.
+const int least_gap = 4;
+
+void march_span(Ray ray, Span span, inout int index) {
+  Sampling s = sample_span(ray, span);
+  Walk walk = begin_macrocells(ray, span);
+  bool more = true, found = true;
+  ivec2 run = ivec2(0), next;
+  while (found && !TERMINATED) {
+    found = next_run(walk, more, s, next);
+    if (found && next.x < run.y + least_gap) {
+      run.y = max(run.y, next.y);
+      continue;
+    }
+    march_part(ray, s, run.x, run.y, index);
+    run = next;
+  }
+  index += interval_total(s);
+}
+#else
+void march_span(Ray ray, Span span, inout int index) {
+  Sampling s = sample_span(ray, span);
+  march_part(ray, s, 0, interval_total(s), index);
+  index += interval_total(s);
+}
+#endif
 
 void main() {
   Ray ray = pixel_ray();
@@ -73,7 +132,7 @@ void main() {
   if (hit_box(ray, box.enter, box.exit)) {
     int index = 0;
 #if EMPTY_CELLS
-    Walk walk = begin_walk(ray, box);
+    Walk walk = begin_walk(ray, box, textureSize(empty_cells, 0), cell_size);
     bool more = true;
     Span span;
     while (next_span(walk, more, span)) march_span(ray, span, index);

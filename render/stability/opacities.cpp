@@ -163,7 +163,6 @@ std::vector<Row> hundred_thousand_crossings(Lab& lab) {
   std::vector<Row> rows;
   for (const Mode mode : {Mode::peak_only, Mode::peak_xor_dvr}) {
     Scene scene = make_scene(volume, peaks_at(values, opacity, 1e-4), mode, 0.05);
-    scene.rendering.max_peaks = 64;
     const CountedPicture picture = draw_counted(lab, scene, along_z(grid, 0.9), size);
     Worst relative, count;
     relative.take(

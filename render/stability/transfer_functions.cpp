@@ -153,7 +153,6 @@ std::vector<Row> few_and_many_peaks(Lab& lab) {
       for (const double step : {2.0, 0.5, 1.0 / 8}) {
         const VolumePtr volume = ramp(64);
         Scene scene = make_scene(volume, peaks_at(values, opacity, std::min(0.1 / count, 1e-3)), mode, step);
-        scene.rendering.max_peaks = 64;
         const CountedPicture picture = draw_counted(lab, scene, along_z(volume->grid, 8), small);
         const std::string where = fmt::format("{}, step {:g}", crest::name_of(mode), step);
         pictures.push_back(picture.image);

@@ -95,7 +95,9 @@ TEST_F(ClosedForm, FourPeaksInOneStepInTheirOrder) {
     const glm::vec4 pixel = render(scene, along_z(volume->grid, 4)).at(8, 8);
     for (int channel = 0; channel < 4; ++channel)
       EXPECT_NEAR(pixel[channel], expected[channel], 1e-6) << rising;
-    scene.rendering.max_peaks = 1;
+    scene.rendering.max_peaks = 1;  // of the paper's form alone
+    EXPECT_EQ(render(scene, along_z(volume->grid, 4)).at(8, 8), pixel);
+    scene.rendering.peak_form = PeakForm::paper;
     EXPECT_NEAR(render(scene, along_z(volume->grid, 4)).at(8, 8).a, 0.75,
                 1e-6);  // one in each of the two intervals
   }

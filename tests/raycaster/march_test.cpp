@@ -116,7 +116,6 @@ TEST_F(March, TableAndListAgree) {
   points[points.size() - 3].surface.mode = SurfaceMode::on;
   Scene many = few;
   many.tf = make_tf(points);
-  many.rendering.max_peaks = few.rendering.max_peaks = 8;
   ASSERT_FALSE(raycaster.features(few, false).peak_table);
   ASSERT_TRUE(raycaster.features(many, false).peak_table);
   const Camera camera = whole_volume_camera(volume->grid);
@@ -185,7 +184,27 @@ TEST_F(March, SamplesAreCounted) {
   }
 }
 
-// Crossings beyond max_peaks in one step are left out, and counted.
+// Nor does it matter how many surfaces one step meets.
+TEST_F(March, NoCrossingOfHundredsInOneStepIsLost) {
+  Grid grid{glm::ivec3(9), glm::dvec3(1), glm::dvec3(0)};
+  const auto volume = make_volume(grid, [](glm::dvec3 p) { return p.z / 8; });
+  std::vector<ControlPoint> points{point(0, 0)};
+  constexpr int surfaces = 400;
+  for (int i = 0; i < surfaces; ++i) {
+    const double v = (i + 0.5) / surfaces;
+    points.insert(points.end(), {point(v - 1e-4, 0), point(v, 0.005), point(v + 1e-4, 0)});
+  }
+  points.push_back(point(1, 0));
+  Scene scene{volume, make_tf(points), {}};
+  scene.rendering.step = 8;
+  for (const Mode mode : {Mode::peak_only, Mode::peak_xor_dvr}) {
+    scene.rendering.mode = mode;
+    EXPECT_EQ(count(scene, along_z(grid, 4), {2, 2}).crossings, 4 * surfaces);
+    EXPECT_NEAR(render(scene, along_z(grid, 4), {2, 2}).at(0, 0).a, 1 - std::pow(0.995, surfaces), 2e-6);
+  }
+}
+
+// A step composites all its crossings; in the paper's form those beyond max_peaks are left out, and counted.
 TEST_F(March, CrossingsLeftOutAreCounted) {
   Grid grid{glm::ivec3(9), glm::dvec3(1), glm::dvec3(0)};
   const auto volume = make_volume(grid, [](glm::dvec3 p) { return p.z / 8; });
@@ -197,6 +216,8 @@ TEST_F(March, CrossingsLeftOutAreCounted) {
   scene.rendering.mode = Mode::peak_only;
   scene.rendering.step = 8;  // one sample, in the middle: four of the six lie before it
   scene.rendering.max_peaks = 3;
+  EXPECT_EQ(count(scene, along_z(grid, 4), {4, 4}).crossings, 16 * 6);
+  scene.rendering.peak_form = PeakForm::paper;
   const RenderCounts counts = count(scene, along_z(grid, 4), {4, 4});
   EXPECT_EQ(counts.crossings + counts.crossings_left_out, 16 * 6);
   EXPECT_EQ(counts.crossings_left_out, 16);

@@ -215,6 +215,44 @@ TEST_F(Preintegration, PassesJoinWithoutASeam) {
         }
 }
 
+// Where nothing shows, nothing is sampled, and the picture is the same.
+TEST_F(Preintegration, SkippingChangesNothing) {
+  for (const ClassificationMethod method : both_forms)
+    for (const Mode mode : {Mode::both, Mode::peak_xor_dvr, Mode::dvr_only}) {
+      Scene scene = library_scene("vessels?n=48", "vessels-shell", mode, PeakForm::split);
+      scene.rendering.shading = Shading::none;
+      set(scene, method);
+      const Camera camera = whole_volume_camera(scene.volume->grid);
+      scene.rendering.skipping = false;
+      const Image whole = render(scene, camera, {48, 48});
+      const double samples = count(scene, camera, {48, 48}).samples;
+      scene.rendering.skipping = true;
+      EXPECT_LT(largest_difference(whole, render(scene, camera, {48, 48})), 2e-6)
+          << name_of(method) << int(mode);
+      EXPECT_LT(count(scene, camera, {48, 48}).samples, 0.7 * samples);
+    }
+}
+
+// Antiderivatives hold for steps that grow and steps that are joined: on a linear field opacity is exact with
+// all.
+TEST_F(Preintegration, StepsMayVary) {
+  Scene scene = scene_of(ramp(), make_tf({point(0.2, 0.1), point(0.55, 0.6), point(0.7, 0.05)}, 8.0));
+  scene.rendering.classification = ClassificationMethod::preintegrated;
+  Camera camera = along_z(scene.volume->grid, 16);
+  camera.eye = camera.target - glm::dvec3(0, 0, 20);
+  camera.fov_y_degrees = 5;  // of one pixel: a first step of half a voxel
+  const double right = render_reference(scene, camera, {1, 1}, Answer::integral).pixels[0].a;
+  for (const Sampling sampling : {Sampling::uniform, Sampling::differential, Sampling::footprint})
+    for (const bool adaptive : {false, true})
+      for (const Placement placement : {Placement::entry_exit_corner, Placement::entry, Placement::eye}) {
+        scene.rendering.sampling = sampling;
+        scene.rendering.adaptive = adaptive;
+        scene.rendering.placement = placement;
+        scene.rendering.step = 0.7;
+        EXPECT_NEAR(render(scene, camera, {1, 1}).at(0, 0).a, right, 3e-6) << name_of(sampling) << adaptive;
+      }
+}
+
 // A segment takes one value more than there are segments, and long rays are complete.
 TEST_F(Preintegration, CountsItsSamples) {
   Scene scene = scene_of(ramp(), make_tf({point(0, 0.01), point(1, 0.02)}, 64.0));

@@ -1,0 +1,87 @@
+#include "render/raycaster/step_lengths.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "presets/error.h"
+#include "presets/names.h"
+#include "render/camera.h"
+#include "render/raycaster/occupancy.h"
+#include "render/view.h"
+
+namespace crest {
+namespace {
+
+/// What is computed in float may be off by this share.
+constexpr double slack = 1e-4;
+
+/// Half the image plane's width and height at distance 1.
+glm::dvec2 half_plane(const Camera& camera, glm::ivec2 size) {
+  const double height = half_height(camera);
+  return {height * size.x / size.y, height};
+}
+
+/// The least |dD/dx| of the picture's rays (eq. 10), x in [-1,1] across a plane of these half sides: it is
+/// U sqrt(1+q) / (1+p+q) with p = (xU)^2 and q = (yV)^2, falls with p, and has no minimum within q's range.
+double least_spread(double u, double v) {
+  const double p = u * u, q = v * v;
+  return u * std::min(1 / (1 + p), std::sqrt(1 + q) / (1 + p + q));
+}
+
+/// How many steps T(x) = b x + a x(x-1)/2 takes from `near` over a length: T'' = a, and T' is
+/// sqrt((b - a/2)^2 + 2 a T).
+double differential_steps(double b, double a, double near, double length) {
+  const double step = std::sqrt((b - a / 2) * (b - a / 2) + 2 * a * near);
+  return 2 * length / (step + std::sqrt(step * step + 2 * a * length));
+}
+
+}  // namespace
+
+double differential_k(const Camera& camera, glm::ivec2 size, double s_k) {
+  return s_k * glm::length(2.0 * half_plane(camera, size) / glm::dvec2(size));
+}
+
+StepLengths step_lengths(const Rendering& rendering, const Camera& camera, glm::ivec2 size, const Box& box,
+                         double smallest_spacing) {
+  if (box.is_empty()) return {};
+  const double ray = longest_ray(camera, box) / smallest_spacing;
+  const double near = glm::length(camera.eye - glm::clamp(camera.eye, box.min, box.max)) / smallest_spacing;
+  const double far = near + glm::length(box.max - box.min) / smallest_spacing;
+  const glm::dvec2 plane = half_plane(camera, size), pixel = 2.0 / glm::dvec2(size);
+  const double k = differential_k(camera, size, rendering.s_k);
+  const glm::dvec2 spread(least_spread(plane.x, plane.y), least_spread(plane.y, plane.x));
+  StepLengths lengths;
+  switch (rendering.sampling) {
+    case Sampling::uniform:
+      // Pre-integrated segments take in what eye and entry leave over at the span's ends
+      lengths.longest = rendering.step;
+      if (rendering.placement == Placement::entry_exit ||
+          (rendering.placement != Placement::entry_exit_corner &&
+           rendering.classification != ClassificationMethod::post))
+        lengths.longest *= 2;
+      lengths.most = std::ceil(ray * (1 + slack) / rendering.step);
+      break;
+    case Sampling::differential:
+      lengths.longest = std::sqrt(k * k + 2 * k * plane.x * far) + 2 * k * plane.x;
+      lengths.most = differential_steps(k, k * spread.x, near, ray);
+      break;
+    case Sampling::footprint:
+      lengths.longest = k * (far + 1);
+      lengths.most = std::log1p(ray / (near + 1)) / std::log1p(rendering.s_k * glm::length(spread * pixel));
+      break;
+  }
+  lengths.longest *= (1 + slack) * (rendering.adaptive ? most_joined_steps : 1);
+  lengths.most = std::ceil(lengths.most * (1 + slack)) + 2;
+  if (!(lengths.most <= most_segments))
+    throw Error(fmt::format(
+        "sampling '{}' would take {:.2g} steps a ray from so far away: a larger s_k, or 'footprint' or "
+        "'uniform' sampling, takes fewer",
+        name_of(rendering.sampling), lengths.most));
+  return lengths;
+}
+
+}  // namespace crest

@@ -1,0 +1,30 @@
+// Macrocells (Knoll et al. 2009, section 6): a walk through them finds the stretches of a ray in which something shows.
+
+#include "walk.glsl"
+
+#if SKIPPING || ADAPTIVE
+uniform usampler3D macrocells;  // 0 = nothing in it shows; else of how many steps one is made there
+uniform vec3 macrocell_size;
+
+// In smallest spacings: by more than positions are rounded, stretches are taken longer.
+const float slack = 1.0e-3;
+
+uint multiple_at(Walk walk) { return texelFetch(macrocells, walk.cell, 0).r; }
+
+Walk begin_macrocells(Ray ray, Span span) {
+  return begin_walk(ray, span, textureSize(macrocells, 0), macrocell_size);
+}
+
+// The next stretch of cells that show something and have the same multiple. `more` is whether the walk has a cell left.
+bool next_stretch(inout Walk walk, inout bool more, out Span stretch, out uint multiple) {
+  while (more && multiple_at(walk) == 0u) more = advance(walk);
+  stretch = Span(walk.t, walk.end);
+  multiple = 0u;
+  if (!more) return false;
+  multiple = multiple_at(walk);
+  do more = advance(walk);
+  while (more && multiple_at(walk) == multiple);
+  if (more) stretch.exit = walk.t;
+  return true;
+}
+#endif

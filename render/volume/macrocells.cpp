@@ -1,0 +1,81 @@
+#include "render/volume/macrocells.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+namespace crest {
+namespace {
+
+/// What the points of a box hold, both ends included.
+struct Extent {
+  float min = std::numeric_limits<float>::infinity(), max = -std::numeric_limits<float>::infinity();
+  double sum = 0, squares = 0;  ///< of value - origin
+  int count = 0;
+
+  double deviation() const {
+    return count == 0 ? 0 : std::sqrt(std::max(squares / count - (sum / count) * (sum / count), 0.0));
+  }
+};
+
+Extent extent_of(const Volume& volume, glm::ivec3 from, glm::ivec3 to, double origin) {
+  Extent extent;
+  for (int k = from.z; k <= to.z; ++k)
+    for (int j = from.y; j <= to.y; ++j)
+      for (int i = from.x; i <= to.x; ++i) {
+        const float value = volume.at(i, j, k);
+        if (!std::isfinite(value)) continue;
+        extent.min = std::min(extent.min, value);
+        extent.max = std::max(extent.max, value);
+        const double beyond = double(value) - origin;
+        extent.sum += beyond;
+        extent.squares += beyond * beyond;
+        ++extent.count;
+      }
+  return extent;
+}
+
+/// Widened by what interpolation in float may go beyond its points.
+void store(Macrocells& macrocells, std::size_t index, ValueRange range, double field_width) {
+  const double rounding = 0x1p-20 * field_width;
+  macrocells.min[index] = float(range.min - rounding);
+  macrocells.max[index] = float(range.max + rounding);
+}
+
+}  // namespace
+
+int macrocell_side(const Grid& grid) {
+  const int longest = std::max({grid.dims.x, grid.dims.y, grid.dims.z}) - 1;
+  return std::max(4, (longest + 63) / 64);
+}
+
+Macrocells build_macrocells(const Volume& volume, const FieldFilter& filter, int side) {
+  const glm::ivec3 cells = volume.grid.dims - 1, last = volume.grid.dims - 1;
+  const int around = filter_bounds(filter).radius - 1;
+  Macrocells result;
+  result.cells = side;
+  result.dims = (cells + side - 1) / side;
+  const std::size_t row = std::size_t(result.dims.x), slice = row * std::size_t(result.dims.y);
+  const std::size_t count = slice * std::size_t(result.dims.z);
+  result.min.assign(count, std::numeric_limits<float>::infinity());
+  result.max.assign(count, -std::numeric_limits<float>::infinity());
+  result.deviation.assign(count, 0);
+  tbb::parallel_for(std::size_t(0), count, [&](std::size_t index) {
+    const glm::ivec3 cell(index % row, index % slice / row, index / slice);
+    const glm::ivec3 from = cell * side, to = glm::min(from + side, last);
+    const Extent own = extent_of(volume, from, to, volume.statistics.mean);
+    const Extent all = around == 0 ? own
+                                   : extent_of(volume, glm::max(from - around, glm::ivec3(0)),
+                                               glm::min(to + around, last), volume.statistics.mean);
+    result.deviation[index] = float(own.deviation());
+    if (all.count > 0)
+      store(result, index, field_range(filter, {double(all.min), double(all.max)}),
+            volume.statistics.range.width());
+  });
+  return result;
+}
+
+}  // namespace crest
