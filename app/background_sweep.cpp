@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/cache_folder.h"
 #include "app/offscreen_context.h"
 #include "render/measure/measure_scene.h"
 #include "render/measure/methods.h"
@@ -44,7 +45,7 @@ glm::ivec2 sweep_size(glm::ivec2 view_pixels) {
 SweepRenderer offscreen_sweep_renderer() {
   const auto context = std::make_shared<OffscreenContext>();
   return {context->renderer(), [context](const SweepSubject& subject) {
-            return measure_scene(subject.scene, subject.camera, subject.size);
+            return measure_scene(subject.scene, subject.camera, subject.size, cache_folder());
           }};
 }
 

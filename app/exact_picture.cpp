@@ -28,6 +28,7 @@ constexpr std::pair<const char*, const char*> without_part[] = {
     {"max_peaks", "every crossing is composited"},
     {"peak_bins", "crossings are solved for, not looked up"},
     {"shading", "an exact answer has none"},
+    {"gradient", "an exact answer has no shading"},
     {"early_termination", "every ray is solved to its end"},
     {"frames", "an exact answer is rendered once"}};
 
@@ -70,7 +71,7 @@ nlohmann::ordered_json statistics_json(const ExactPicture& picture, const Scene&
   json["crossings_per_ray"] =
       double(std::accumulate(exact.crossings.begin(), exact.crossings.end(), std::uint64_t(0))) / pixels;
   json["grazing_share"] = double(std::ranges::count(exact.grazing, 1)) / pixels;
-  json["peaks"] = peaks_json(classify(scene.tf, scene.volume->statistics.range).surfaces);
+  json["peaks"] = peaks_json(classify(scene.tf, surface_range(scene)).surfaces);
   for (const auto& [setting, why] : without_part) json["left_out"][setting] = why;
   return json;
 }

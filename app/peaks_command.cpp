@@ -6,6 +6,7 @@
 #include "presets/preset_file.h"
 #include "render/classify/classification.h"
 #include "render/classify/peak_table.h"
+#include "render/volume/filter_bounds.h"
 #include "render/volume/load.h"
 
 namespace crest {
@@ -61,6 +62,7 @@ void print_peaks(const PeaksOptions& options) {
     const Volume volume = load_volume(options.volume);
     range = volume.statistics.range;
     tf = resolve(tf, range, volume.grid.smallest_spacing());
+    range = field_range(root_filter(preset.rendering), range);
   }
   const int bins = options.bins > 0 ? options.bins : preset.rendering.peak_bins;
   const Classification found = classify(tf, range);

@@ -2,9 +2,12 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/offscreen_context.h"
+#include "app/output_folder.h"
+#include "app/progress.h"
 #include "app/report/page.h"
 #include "app/scene_options.h"
 #include "presets/atomic_file.h"
@@ -67,21 +70,30 @@ void write_stability_page(const fs::path& folder, const std::vector<Row>& rows, 
              web_file("stability.js"), data);
 }
 
+std::vector<Row> measure_rows(stability::Lab& lab) {
+  ProgressBar bar;
+  std::size_t done = 0;
+  const auto count = double(stability::all_cases().size());
+  return stability::run_all(lab,
+                            [&](const stability::Case& one) { bar.show(double(done++) / count, one.name); });
+}
+
 void run_stability(const StabilityOptions& options) {
   PictureOptions picture;
   picture.size = options.size;
   const glm::ivec2 size = picture.pixels();
+  std::optional<OutputFolder> folder;
+  if (!options.output.empty()) folder.emplace(options.output);
   const OffscreenContext context(options.device);
   Raycaster raycaster;
   stability::Lab lab{raycaster, size};
-  const std::vector<Row> rows = stability::run_all(lab);
+  const std::vector<Row> rows = measure_rows(lab);
   const auto json = json_of(rows, context.renderer());
   if (options.json)
     fmt::print("{}\n", json.dump(2));
   else
     print_table(rows);
   if (!options.output.empty()) {
-    fs::create_directories(options.output);
     write_file_atomically(fs::path(options.output) / "stability.json", json.dump(2) + "\n");
     write_stability_page(options.output, rows, json);
   }

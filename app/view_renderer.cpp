@@ -57,7 +57,10 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
         count_costs(*view);
         continue;
       }
-      if (!view->pass) begin_pass(*view, interactive);
+      if (!view->pass) {
+        find_need(*view);
+        begin_pass(*view, interactive);
+      }
       draw_slice(*view, interactive ? slice_ms : std::max(slice_ms, budget_ms / 2));
     } catch (...) {
       give_up(*view);
@@ -99,6 +102,13 @@ ViewRenderer::View* ViewRenderer::next_view() {
     }
   }
   return best;
+}
+
+void ViewRenderer::find_need(View& view) {
+  const auto& [scene, camera, size] = view.wanted;
+  Need need = raycaster_.need(scene, camera, size, false);
+  view.need.gpu_data = gpu_data(need, *scene.volume, raycaster_.classification(scene));
+  view.need.features = std::move(need.list);
 }
 
 void ViewRenderer::begin_pass(View& view, bool interactive) {
@@ -160,6 +170,7 @@ void ViewRenderer::count_costs(View& view) {
 ViewPicture ViewRenderer::picture(int index) const {
   const View& view = views_[std::size_t(index)];
   ViewPicture picture;
+  picture.need = view.need;
   if (!view.display) return picture;
   const bool done = view.shown_coarseness == 1 && view.shown_version == view.wanted_version;
   picture.texture = view.display->texture();

@@ -59,11 +59,13 @@ class ViewRenderer {
     std::unique_ptr<gl::DisplayTexture> display;
     double ms_per_pixel = 1e-3, coarse_ms_per_pixel = 1e-3;  ///< a first guess; measured from then on
     double frame_ms = 0;
+    PictureNeed need;
     RenderCounts counts;
     bool is_counted = false;
   };
 
   View* next_view();
+  void find_need(View& view);
   void begin_pass(View& view, bool interactive);
   void draw_slice(View& view, double slice_ms);
   void finish_pass(View& view);

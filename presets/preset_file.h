@@ -32,6 +32,9 @@ void save_preset(const std::filesystem::path& path, const Preset& preset);
 /// those that there are.
 Preset set_field(const Preset& preset, std::string_view path_and_value);
 
+/// What set_field() takes, one field after the other, to make one rendering of another.
+std::vector<std::string> assignments_between(const Rendering& from, const Rendering& to);
+
 struct LibraryPreset {
   std::string_view name;  ///< the file's name without .json
   std::string_view text;

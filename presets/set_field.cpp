@@ -79,4 +79,19 @@ Preset set_field(const Preset& preset, std::string_view path_and_value) {
   return preset_from_json(std::move(json));
 }
 
+std::vector<std::string> assignments_between(const Rendering& from, const Rendering& to) {
+  const auto json_of = [](const Rendering& rendering) {
+    Preset preset;
+    preset.rendering = rendering;
+    return preset_to_json(preset, Fields::all)["rendering"];
+  };
+  const Json before = json_of(from), after = json_of(to);
+  std::vector<std::string> assignments;
+  for (const auto& [name, value] : after.items())
+    if (!before.contains(name) || before[name] != value)
+      assignments.push_back(
+          fmt::format("rendering.{}={}", name, value.is_string() ? value.get<std::string>() : value.dump()));
+  return assignments;
+}
+
 }  // namespace crest

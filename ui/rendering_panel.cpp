@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/feature_list.h"
+
 namespace crest {
 namespace {
 
@@ -79,6 +81,49 @@ bool reconcile(Rendering& r, bool classification_was_chosen) {
   return true;
 }
 
+/// A root filter of its own is the entry after "same".
+bool root_filter_choice(WidgetState& widgets, std::optional<Filter>& filter, float width) {
+  constexpr std::size_t count = std::size(EnumNames<Filter>::table);
+  std::array<std::string_view, count + 1> names{"same"};
+  int index = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    names[i + 1] = EnumNames<Filter>::table[i].name;
+    if (filter == EnumNames<Filter>::table[i].value) index = int(i) + 1;
+  }
+  if (!choice(widgets, "##root filter", index, names, width)) return false;
+  filter.reset();
+  if (index > 0) filter = EnumNames<Filter>::table[std::size_t(index) - 1].value;
+  return true;
+}
+
+/// How the field is reconstructed; B and C where a filter has them.
+bool filter_rows(WidgetState& widgets, Rendering& r, float width) {
+  static constexpr const char* family =
+      "Of the family of Mitchell and Netravali:\n"
+      "1, 0 - the cubic B-spline, which smooths\n"
+      "0, 0.5 - Catmull-Rom: through the grid's points, and beyond their values\n"
+      "1/3, 1/3 - a compromise\n"
+      "2, 1 - what Knoll et al. 2009 call the B-spline is not monotone:\n"
+      "it makes surfaces that are not in the data. Theirs is 1, 0.";
+  row("Filter",
+      "How the field is made between the grid's points:\n"
+      "linear - by the texture unit, whose weights may have 8 bits\n"
+      "linear_exact - the same in float, from 8 reads\n"
+      "bspline - the cubic B-spline, smooth, from 8 fetches\n"
+      "bc - any of the family with B and C, from 64 reads");
+  bool changed = choice(widgets, "##filter", r.filter, width);
+  row("Root filter",
+      "That of the field in which surfaces lie; with another one than above a step takes two samples");
+  changed |= root_filter_choice(widgets, r.root_filter, width);
+  if (r.filter == Filter::bc || r.root_filter == Filter::bc) {
+    row("    B", family);
+    changed |= number_field(widgets, "##bc b", r.bc_b, {-10, 10}, width);
+    row("    C", family);
+    changed |= number_field(widgets, "##bc c", r.bc_c, {-10, 10}, width);
+  }
+  return changed;
+}
+
 }  // namespace
 
 bool rendering_panel(Document& document, StudioState& state, const StudioInputs& inputs) {
@@ -126,6 +171,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
       "How a step with crossings is integrated:\nsplit - divided at its crossings (second order)\npaper - as "
       "published (first order)");
   changed |= choice(widgets, "##peak form", r.peak_form, field);
+  changed |= filter_rows(widgets, r, field);
   row("Most peaks a step",
       "Crossings that one step composites at most in the paper's form; the split form composites all");
   changed |= integer_field(widgets, "##max peaks", r.max_peaks, 1, 64, field);
@@ -133,6 +179,12 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
   changed |= integer_field(widgets, "##peak bins", r.peak_bins, 1, 4096, field);
   row("Shading", "none, or by the gradient with a light at the eye");
   changed |= choice(widgets, "##shading", r.shading, field);
+  if (r.shading == Shading::gradient) {
+    row("Gradient",
+        "central - differences of the filtered field over a voxel to either side\nfilter - the filter's own "
+        "derivative");
+    changed |= choice(widgets, "##gradient", r.gradient, field);
+  }
   row("Early termination", "Residual transmittance at which a ray stops; 0 = never");
   changed |= number_field(widgets, "##early termination", r.early_termination, {0, 1}, field);
   changed |= clip_rows(widgets, r.clip_box, inputs.volume, field);
@@ -145,6 +197,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
       "caster");
   changed |= choice(widgets, "##engine", r.engine, field);
   ImGui::EndTable();
+  feature_list(state, inputs, r.mode);
   return reconcile(r, classified) || classified || changed;
 }
 

@@ -17,6 +17,7 @@ namespace crest {
 struct ViewsState {
   int enlarged = -1;  ///< the view that fills the grid; -1 = all four
   bool outline = true;
+  std::optional<Mode> listed;  ///< whose features are listed; without one, those of the preset's mode
 };
 
 struct AccuracyState {

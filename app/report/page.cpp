@@ -1,9 +1,11 @@
 #include "app/report/page.h"
 
 #include <OpenImageIO/strutil.h>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "presets/atomic_file.h"
@@ -30,6 +32,11 @@ std::string script_text(const Json& data) {
 }
 
 }  // namespace
+
+std::string utc_now() {
+  using namespace std::chrono;
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", time_point_cast<seconds>(system_clock::now()));
+}
 
 std::string_view web_file(std::string_view name) {
   const auto files = web_files::embedded_files();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "presets/json_text.h"
@@ -11,6 +12,9 @@ namespace crest {
 /// (web/page.css), and `script`, which finds web/chart.js' functions and `data`. Throws Error.
 void write_page(const std::filesystem::path& path, std::string_view title, std::string_view body,
                 std::string_view script, const Json& data);
+
+/// The time as pages and files tell it: UTC, ISO 8601.
+std::string utc_now();
 
 /// A file of app/report/web, by its name: "report.html".
 std::string_view web_file(std::string_view name);

@@ -1,12 +1,11 @@
 #include "app/report/placement_study.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "app/offscreen_context.h"
+#include "app/output_folder.h"
 #include "app/report/page.h"
 #include "app/report/report_pictures.h"
 #include "presets/atomic_file.h"
@@ -19,11 +18,6 @@ namespace {
 
 constexpr glm::ivec2 paper_size{500, 500}, scene_size{256, 256};
 constexpr int timed_rounds = 15;
-
-std::string utc_now() {
-  using namespace std::chrono;
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", time_point_cast<seconds>(system_clock::now()));
-}
 
 /// Of VOLUME, if there is one.
 PlacementScene border_scene_of(const SceneOptions& options) {
@@ -69,9 +63,7 @@ std::vector<std::string> write_pictures(const PlacementReport& report, const std
 }
 
 Json write_study(const PlacementReport& report, const std::filesystem::path& folder) {
-  std::error_code fault;
-  std::filesystem::create_directories(folder / "images", fault);
-  if (fault) throw Error(fmt::format("{}: {}", (folder / "images").string(), fault.message()));
+  make_folder(folder / "images");
   const auto pictures = write_pictures(report, folder);
   const Json json = placement_json(report);
   write_file_atomically(folder / "placement.json", print_json(json));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cache_folder.h"
 #include "render/measure/measure_scene.h"
 #include "render/measure/method_convergence.h"
 
@@ -26,7 +27,8 @@ std::vector<std::size_t> pictured_points(const std::vector<Measurement>& points,
 }
 
 void measure_report(Report& report, std::stop_token stop, const SweepStatus& status) {
-  Sweep sweep(report.scene, measure_scene(report.scene, report.camera, report.size), report.settings);
+  Sweep sweep(report.scene, measure_scene(report.scene, report.camera, report.size, cache_folder()),
+              report.settings);
   while (auto point = sweep.next(stop, status)) {
     report.pictures[report.points.size()] = std::move(point->image);
     report.points.push_back(std::move(point->measurement));

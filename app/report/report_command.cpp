@@ -1,4 +1,3 @@
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -7,12 +6,15 @@
 
 #include "app/commands.h"
 #include "app/offscreen_context.h"
+#include "app/output_folder.h"
 #include "app/progress.h"
+#include "app/report/page.h"
 #include "app/report/progress_line.h"
 #include "app/report/report_files.h"
 #include "app/report/studies.h"
 #include "app/scene_options.h"
 #include "presets/error.h"
+#include "presets/preset_file.h"
 #include "render/volume/load.h"
 
 namespace crest {
@@ -83,9 +85,10 @@ std::string command_text(const CLI::App& command) {
   return text;
 }
 
-/// The command that renders with a method what the report is of.
-std::string render_command(const SceneOptions& scene, const std::string& size, const Method& method,
-                           double step) {
+/// The command that renders what the report is of, with these settings. `written` are those that it would
+/// have otherwise.
+std::string render_command(const SceneOptions& scene, const std::string& size, const Rendering& written,
+                           const Rendering& settings) {
   std::string text = "crest render " + shell_word(scene.volume);
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) text += fmt::format(" {} {}", option, shell_word(value));
@@ -96,9 +99,7 @@ std::string render_command(const SceneOptions& scene, const std::string& size, c
   add("--up", scene.up);
   add("--fov", scene.fov);
   for (const std::string& assignment : scene.sets) add("--set", assignment);
-  for (const std::string& assignment : assignments_of(method, step)) add("--set", assignment);
-  add("--set", "rendering.shading=none");
-  add("--set", "rendering.early_termination=0");
+  for (const std::string& assignment : assignments_between(written, settings)) add("--set", assignment);
   add("--size", size);
   return text + (scene.fit_range ? " --fit-range" : "") + " -o picture.png";
 }
@@ -115,12 +116,12 @@ Report subject_of(const ReportOptions& options) {
   report.subject.command = options.command;
   report.subject.volume = options.scene.volume;
   report.subject.preset = options.scene.preset;
-  report.subject.made_at =
-      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                  std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now()));
-  report.subject.render_command = [scene = options.scene, size = options.size](const Method& method,
-                                                                               double step) {
-    return render_command(scene, size, method, step);
+  report.subject.made_at = utc_now();
+  SceneOptions plain = options.scene;  // what a method decides need not be said
+  plain.mode = plain.engine = plain.step = "";
+  report.subject.render_command = [plain, written = plain.read_preset(*volume).rendering, size = options.size,
+                                   own = report.scene.rendering](const Method& method, double step) {
+    return render_command(plain, size, written, measured_rendering(method, step, own));
   };
   return report;
 }
@@ -157,7 +158,6 @@ void run_study(const ReportOptions& options, std::stop_token stop) {
   study_options.folder = options.output;
   study_options.scene = options.scene;
   if (options.size_is_given) study_options.size = pixels_of(options);
-  study_options.budget_seconds = budget_seconds(options.budget);
   study_options.device = options.device;
   study_options.json = options.json;
   study_options.command = options.command;
@@ -165,28 +165,17 @@ void run_study(const ReportOptions& options, std::stop_token stop) {
   find_study(options.study).run(study_options);
 }
 
-/// Makes the folder before any work, and takes it away again if nothing came into it.
-void run_in_folder(const ReportOptions& options) {
+void run_report(const ReportOptions& options) {
   if (!options.study.empty() && !options.scene.volume.empty() && !find_study(options.study).takes_volume)
     throw CLI::ValidationError("--study",
                                fmt::format("{} has scenes of its own: without VOLUME", options.study));
   if (!options.study.empty()) find_study(options.study);
-  const fs::path folder = options.output;
-  std::error_code fault;
-  const bool is_new = fs::create_directories(folder, fault);
-  if (fault || !fs::is_directory(folder))
-    throw Error(fmt::format("{}: cannot be made a folder: {}", folder.string(),
-                            fault ? fault.message() : "it is a file"));
-  try {
-    const Interrupt interrupt;
-    if (options.study.empty())
-      make_report(options, interrupt.token());
-    else
-      run_study(options, interrupt.token());
-  } catch (...) {
-    if (is_new) fs::remove(folder, fault);  // only an empty one goes
-    throw;
-  }
+  const OutputFolder folder(options.output);
+  const Interrupt interrupt;
+  if (options.study.empty())
+    make_report(options, interrupt.token());
+  else
+    run_study(options, interrupt.token());
 }
 
 std::string study_help() {
@@ -208,16 +197,18 @@ void add_report_command(CLI::App& app, Action& chosen) {
   command->add_option("--size", options->size, "Width x height in pixels")
       ->capture_default_str()
       ->type_name("WxH");
+  CLI::Option* study = command->add_option("--study", options->study, study_help())->type_name("NAME");
   command->add_option("--budget", options->budget, "Time for all of it: 90s, 2m, 1h, or none")
       ->capture_default_str()
-      ->type_name("TIME");
+      ->type_name("TIME")
+      ->excludes(study);
   command
       ->add_option("--target-error", options->target,
                    "The error that the recommended setting keeps under: share, rmse, max, p999, flip, missed "
                    "or invented")
       ->capture_default_str()
-      ->type_name("MEASURE=X");
-  command->add_option("--study", options->study, study_help())->type_name("NAME");
+      ->type_name("LIMIT")
+      ->excludes(study);
   command->add_option("--device", options->device,
                       "Graphics device (crest list devices); hardware first by default");
   command->add_flag("--json", options->json, "Print report.json, too");
@@ -226,7 +217,7 @@ void add_report_command(CLI::App& app, Action& chosen) {
       throw CLI::RequiredError("VOLUME, or --study");
     options->command = command_text(*command);
     options->size_is_given = command->count("--size") > 0;
-    chosen = [options] { run_in_folder(*options); };
+    chosen = [options] { run_report(*options); };
   });
 }
 

@@ -4,18 +4,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/output_folder.h"
 #include "app/report/page.h"
 #include "app/report/report_json.h"
 #include "app/report/report_pictures.h"
 #include "presets/atomic_file.h"
-#include "presets/error.h"
 
 namespace crest {
 
 Json write_report(const Report& report, const std::filesystem::path& folder) {
-  std::error_code fault;
-  std::filesystem::create_directories(folder / "images", fault);
-  if (fault) throw Error(fmt::format("{}: {}", (folder / "images").string(), fault.message()));
+  make_folder(folder / "images");
   const auto pictures = write_pictures(report, folder);
   const Json json = report_json(report);
   write_file_atomically(folder / "report.json", print_json(json));

@@ -18,7 +18,6 @@ struct StudyOptions {
   std::filesystem::path folder;    ///< where its files go; it is there
   SceneOptions scene;              ///< its volume is empty where none was given
   std::optional<glm::ivec2> size;  ///< in pixels, where --size was given; else each study's own
-  std::optional<double> budget_seconds;
   int device = -1;
   bool json = false;     ///< also print its JSON
   std::string command;   ///< as typed, for the page

@@ -8,6 +8,7 @@
 #include "render/gl/timer.h"
 #include "render/measure/timing.h"
 #include "render/raycaster/raycaster.h"
+#include "render/reference/cache.h"
 
 namespace crest {
 namespace {
@@ -86,11 +87,13 @@ Measurer::FrameTime time_frame(SceneRenderer& renderer, const Rendering& renderi
 
 }  // namespace
 
-Measurer measure_scene(Scene scene, Camera camera, glm::ivec2 size) {
+Measurer measure_scene(Scene scene, Camera camera, glm::ivec2 size, std::filesystem::path cache) {
   const auto renderer = std::make_shared<SceneRenderer>(scene, camera, size);
   Measurer measurer;
   measurer.reference = [=](Answer answer, const Progress& progress) {
-    return render_reference(scene, camera, size, answer, 1e-10, progress);
+    return render_reference_cached(cache, default_cache_bytes, scene, camera, size, answer, default_tolerance,
+                                   progress)
+        .reference;
   };
   measurer.start = [=](const Rendering& rendering) { return measure_start(*renderer, rendering); };
   measurer.picture = [=](const Rendering& rendering) { return take_picture(*renderer, rendering); };

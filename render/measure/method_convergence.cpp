@@ -42,10 +42,7 @@ std::optional<OrderFit> fit_of(const std::string& method, Answer answer,
 }
 
 void find_target(MethodConvergence& c, std::span<const Measurement> measured, const TargetError& target) {
-  for (const AnswerPoint& p : points_against(measured, c.answer, *target.measure))
-    if (measured[p.index].method == c.method && p.point.error <= target.most &&
-        (!c.cheapest || p.point.ms < measured[*c.cheapest].frame_ms))
-      c.cheapest = p.index;
+  c.cheapest = cheapest_under(measured, c.answer, target, c.method);
   for (const Measurement& m : measured)
     if (const ImageError* error = m.error_against(c.answer);
         c.cheapest && m.method == c.method && m.step < measured[*c.cheapest].step && error)

@@ -18,6 +18,7 @@ constexpr Method table[] = {
     {"dvr-pre", "DVR, pre-integrated", "mode=DVR_ONLY classification=preintegrated"},
     {"dvr-pre-table", "DVR, pre-integrated, table of two values",
      "mode=DVR_ONLY classification=preintegrated_table placement=entry"},
+    {"dvr-linear-exact", "DVR, trilinear in float", "mode=DVR_ONLY filter=linear_exact"},
     {"dvr-differential", "DVR, steps as published (s_k = 8 step)", "mode=DVR_ONLY sampling=differential",
      true, 8},
     {"dvr-footprint", "DVR, steps by footprint (s_k = 8 step)", "mode=DVR_ONLY sampling=footprint", true, 8},
@@ -30,6 +31,8 @@ constexpr Method table[] = {
      "mode=PEAK_XOR_DVR peak_form=split classification=preintegrated"},
     {"xor-pre-table", "Peaks and base TF, divided steps, table of two values",
      "mode=PEAK_XOR_DVR peak_form=split classification=preintegrated_table placement=entry"},
+    {"xor-linear-exact", "Peaks and base TF, trilinear in float",
+     "mode=PEAK_XOR_DVR peak_form=split filter=linear_exact root_filter=linear_exact"},
     {"xor-differential", "Peaks and base TF, steps as published (s_k = 8 step)",
      "mode=PEAK_XOR_DVR sampling=differential", true, 8},
     {"xor-footprint", "Peaks and base TF, steps by footprint (s_k = 8 step)",
@@ -51,6 +54,13 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
+/// Whether a method sets a filter whose exact answer is not that of the scene's own.
+bool has_other_field(const Method& method, const Rendering& scene) {
+  const Rendering own = measured_rendering(method, scene.step, scene);
+  return std::ranges::any_of(
+      answers_of(own), [&](Answer answer) { return filters_of(answer, own) != filters_of(answer, scene); });
+}
+
 }  // namespace
 
 std::span<const Method> methods() { return table; }
@@ -60,32 +70,31 @@ const Method* find_method(std::string_view id) {
   return found == std::end(table) ? nullptr : &*found;
 }
 
-std::vector<std::string> assignments_of(const Method& method, double step) {
-  std::vector<std::string> assignments;
-  for (const std::string_view word : words_of(method.settings))
-    assignments.push_back(fmt::format("rendering.{}", word));
-  if (method.s_k_per_step > 0)
-    assignments.push_back(fmt::format("rendering.s_k={}", step * method.s_k_per_step));
-  else if (method.has_step)
-    assignments.push_back(fmt::format("rendering.step={}", step));
-  return assignments;
-}
-
 Rendering measured_rendering(const Method& method, double step, const Rendering& scene) {
   Preset preset;
   preset.rendering.clip_box = scene.clip_box;
   preset.rendering.background = scene.background;
+  preset.rendering.filter = scene.filter;
+  preset.rendering.root_filter = scene.root_filter;
+  preset.rendering.bc_b = scene.bc_b;
+  preset.rendering.bc_c = scene.bc_c;
   preset.rendering.max_peaks = scene.max_peaks;
   preset.rendering.peak_bins = scene.peak_bins;
   preset.rendering.preintegration_bins = scene.preintegration_bins;
   preset.transfer_function = default_transfer_function();  // a preset has one
-  for (const std::string& assignment : assignments_of(method, step)) preset = set_field(preset, assignment);
+  for (const std::string_view word : words_of(method.settings))
+    preset = set_field(preset, fmt::format("rendering.{}", word));
+  if (method.s_k_per_step > 0)
+    preset.rendering.s_k = step * method.s_k_per_step;
+  else if (method.has_step)
+    preset.rendering.step = step;
   return preset.rendering;
 }
 
 Rendering with_method(const Rendering& scene, const Method& method, double step) {
   Rendering rendering = measured_rendering(method, step, scene);
   rendering.shading = scene.shading;
+  rendering.gradient = scene.gradient;
   rendering.early_termination = scene.early_termination;
   rendering.unknown = scene.unknown;
   if (!method.has_step || method.s_k_per_step > 0) rendering.step = scene.step;
@@ -99,10 +108,12 @@ std::vector<Answer> answers_of(const Method& method) {
 
 std::string why_left_out(const Method& method, const Scene& scene) {
   const Mode mode = measured_rendering(method, scene.rendering.step, scene.rendering).mode;
+  if (has_other_field(method, scene.rendering))
+    return "the scene's filters make another field, of which its exact answer is not";
   const bool is_clear = std::ranges::none_of(scene.tf.points, [](const auto& p) { return p.opacity > 0; });
   if (mode == Mode::dvr_only && is_clear) return "no point of the transfer function has an opacity";
   if (mode == Mode::dvr_only) return "";
-  const auto classification = classify(scene.tf, scene.volume->statistics.range);
+  const auto classification = classify(scene.tf, surface_range(scene));
   return classification.surfaces.empty() ? "no surface lies in the volume's range" : "";
 }
 

@@ -17,8 +17,8 @@ struct Method {
   std::string_view name;      ///< for people
   std::string_view settings;  ///< fields of "rendering", as in "mode=DVR_ONLY placement=eye"
   bool has_step = true;       ///< whether rendering.step refines it
-  /// Where this is not 0, s_k refines it in the step's stead, and is the step times this: 8 makes the defaults
-  /// of both, 0.5 and 4, meet.
+  /// Where this is not 0, s_k refines it in the step's stead, and is the step times this: 8 makes the
+  /// defaults of both, 0.5 and 4, meet.
   double s_k_per_step = 0;
 };
 
@@ -29,16 +29,14 @@ std::span<const Method> methods();
 /// Null where there is none of this id.
 const Method* find_method(std::string_view id);
 
-/// The settings with which a method is measured in a scene: the method's own; of the scene's, clip box,
-/// background, max_peaks and the tables' bins; everything else as it is by default. So shading, which has no
-/// exact answer, and early termination, which adds an error of its own, are off.
+/// The settings with which a method is measured in a scene: the method's own; of the scene's, the filters
+/// (they are part of what is rendered, since each field has its own exact answer), clip box, background,
+/// max_peaks and the tables' bins; everything else as it is by default. So shading, which has no exact
+/// answer, and early termination, which adds an error of its own, are off.
 Rendering measured_rendering(const Method& method, double step, const Rendering& scene);
 
 /// The scene's settings changed to a method, which leaves its shading and its early termination as they are.
 Rendering with_method(const Rendering& scene, const Method& method, double step);
-
-/// "rendering.mode=DVR_ONLY", ...: the assignments that `--set` takes to render so, the step among them.
-std::vector<std::string> assignments_of(const Method& method, double step);
 
 /// The exact answers that a method is measured against.
 std::vector<Answer> answers_of(const Method& method);

@@ -42,10 +42,13 @@ std::vector<std::size_t> pareto_front(std::span<const Measurement> measured, Ans
 }
 
 std::optional<std::size_t> cheapest_under(std::span<const Measurement> measured, Answer answer,
-                                          const TargetError& target) {
+                                          const TargetError& target, std::string_view method) {
   std::optional<std::size_t> best;
-  for (const AnswerPoint& p : points_against(measured, answer, *target.measure))
-    if (p.point.error <= target.most && (!best || p.point.ms < measured[*best].frame_ms)) best = p.index;
+  for (const AnswerPoint& p : points_against(measured, answer, *target.measure)) {
+    const bool counts = method.empty() || measured[p.index].method == method;
+    if (counts && p.point.error <= target.most && (!best || p.point.ms < measured[*best].frame_ms))
+      best = p.index;
+  }
   return best;
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "render/measure/measurement.h"
@@ -29,8 +30,9 @@ std::vector<AnswerPoint> points_against(std::span<const Measurement> measured, A
 std::vector<std::size_t> pareto_front(std::span<const Measurement> measured, Answer answer,
                                       const ErrorMeasure& measure);
 
-/// The index of the fastest setting that meets the target against an answer; nothing where none does.
+/// The index of the fastest setting that meets the target against an answer, of one method or of any; nothing
+/// where none does.
 std::optional<std::size_t> cheapest_under(std::span<const Measurement> measured, Answer answer,
-                                          const TargetError& target);
+                                          const TargetError& target, std::string_view method = {});
 
 }  // namespace crest

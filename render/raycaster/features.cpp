@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "presets/names.h"
 
 namespace crest {
@@ -17,10 +20,12 @@ const std::vector<FeatureName>& all_features() {
       {&Features::extrema, "extrema", "EXTREMA"},
       {&Features::exclusive, "exclusive", "EXCLUSIVE"},
       {&Features::base_tf, "base_tf", nullptr},
+      {&Features::own_root_filter, "own_root_filter", "OWN_ROOT_FILTER"},
       {&Features::preintegrated, "preintegrated", "PREINTEGRATED"},
       {&Features::preintegration_table, "preintegration_table", "PREINTEGRATION_TABLE"},
       {&Features::clip_box, "clip_box", nullptr},
       {&Features::shading, "shading", "SHADING"},
+      {&Features::filter_gradient, "filter_gradient", "FILTER_GRADIENT"},
       {&Features::early_termination, "early_termination", "EARLY_TERMINATION"},
       {&Features::differential, "differential", "DIFFERENTIAL"},
       {&Features::footprint, "footprint", "FOOTPRINT"},
@@ -33,6 +38,36 @@ const std::vector<FeatureName>& all_features() {
   return features;
 }
 
+namespace {
+
+/// The texture unit gives no derivative: that of the trilinear field takes its texels.
+Filter gradient_filter(Filter filter) { return filter == Filter::linear ? Filter::linear_exact : filter; }
+
+void add_filter_defines(std::vector<std::string>& defines, const Features& features) {
+  const auto add_function = [&](const char* name, Filter filter, const char* of) {
+    defines.push_back(fmt::format("{} {}_{}", name, name_of(filter), of));
+  };
+  for (const auto& [filter, name] : names_of<Filter>()) {
+    std::string define = fmt::format("FILTER_{} {:d}", name, uses_filter(features, filter));
+    std::ranges::transform(define, define.begin(), [](char c) { return char(std::toupper(c)); });
+    defines.push_back(std::move(define));
+  }
+  add_function("ROOT_FIELD", features.root_filter, "field");
+  add_function("DVR_FIELD", features.filter, "field");
+  if (!features.filter_gradient) return;
+  add_function("ROOT_GRADIENT", gradient_filter(features.root_filter), "gradient");
+  add_function("DVR_GRADIENT", gradient_filter(features.filter), "gradient");
+}
+
+}  // namespace
+
+bool uses_filter(const Features& features, Filter filter) {
+  const auto uses = [&](Filter used) {
+    return filter == used || (features.filter_gradient && filter == gradient_filter(used));
+  };
+  return uses(features.filter) || uses(features.root_filter);
+}
+
 std::vector<std::string> shader_defines(const Features& features) {
   std::vector<std::string> defines;
   const auto add = [&](const char* name, bool in) { defines.push_back(fmt::format("{} {:d}", name, in)); };
@@ -41,6 +76,7 @@ std::vector<std::string> shader_defines(const Features& features) {
   add("PLACEMENT_EYE", features.placement == Placement::eye);
   add("PLACEMENT_ENTRY", features.placement == Placement::entry);
   add("PLACEMENT_ENTRY_EXIT", features.placement == Placement::entry_exit);
+  add_filter_defines(defines, features);
   return defines;
 }
 
@@ -50,6 +86,8 @@ std::vector<std::string> feature_names(const Features& features) {
     if (features.*feature.in) names.emplace_back(feature.name);
   if (features.placement != Placement::entry_exit_corner)
     names.push_back(fmt::format("placement_{}", name_of(features.placement)));
+  if (features.filter != Filter::linear) names.push_back(fmt::format("filter_{}", name_of(features.filter)));
+  if (features.own_root_filter) names.push_back(fmt::format("root_filter_{}", name_of(features.root_filter)));
   return names;
 }
 

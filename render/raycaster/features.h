@@ -9,19 +9,21 @@ namespace crest {
 
 /// What a picture needs of the ray caster; everything else is compiled out of its shader.
 struct Features {
-  bool dvr = false;            ///< DVR samples
-  bool peaks = false;          ///< crossings of surfaces; of a single one, unless one of these is there:
-  bool peak_list = false;      ///< up to most_listed_peaks, tested all at once
-  bool peak_table = false;     ///< candidates from the table
-  bool several_peaks = false;  ///< more than one surface within reach of a step: they are met in order
-  bool split = false;          ///< segments divided at their crossings
-  bool extrema = false;        ///< surfaces entered and left within one step are looked for, too
-  bool exclusive = false;      ///< in the paper's form: no DVR sample in a step with a crossing
-  bool base_tf = false;        ///< DVR takes the TF without its spikes
-  bool preintegrated = false;  ///< DVR by segments between field values, not by samples
+  bool dvr = false;              ///< DVR samples
+  bool peaks = false;            ///< crossings of surfaces; of a single one, unless one of these is there:
+  bool peak_list = false;        ///< up to most_listed_peaks, tested all at once
+  bool peak_table = false;       ///< candidates from the table
+  bool several_peaks = false;    ///< more than one surface within reach of a step: they are met in order
+  bool split = false;            ///< segments divided at their crossings
+  bool extrema = false;          ///< surfaces entered and left within one step are looked for, too
+  bool exclusive = false;        ///< in the paper's form: no DVR sample in a step with a crossing
+  bool base_tf = false;          ///< DVR takes the TF without its spikes
+  bool own_root_filter = false;  ///< surfaces lie in another filter's field than DVR samples
+  bool preintegrated = false;    ///< DVR by segments between field values, not by samples
   bool preintegration_table = false;  ///< of both values, for one length; else by antiderivatives
   bool clip_box = false;              ///< which takes something away from the volume
   bool shading = false;
+  bool filter_gradient = false;  ///< by the filter's derivative, not by central differences
   bool early_termination = false;
   bool differential = false;  ///< steps that grow with the distance from the eye, as published
   bool footprint = false;     ///< or in proportion to it
@@ -31,6 +33,8 @@ struct Features {
   bool long_rays = false;     ///< drawn in several passes
   bool statistics = false;
   Placement placement = Placement::entry_exit_corner;
+  Filter filter = Filter::linear;       ///< of DVR samples, and without them of surfaces
+  Filter root_filter = Filter::linear;  ///< of surfaces, and without them of DVR samples
 
   bool operator==(const Features&) const = default;
 };
@@ -46,6 +50,9 @@ struct FeatureName {
 };
 /// All of them, in the order in which they are listed.
 const std::vector<FeatureName>& all_features();
+
+/// Whether a field's value or gradient comes from such a filter.
+bool uses_filter(const Features& features, Filter filter);
 
 /// The shader's defines, as "NAME value"; the same features give the same list.
 std::vector<std::string> shader_defines(const Features& features);

@@ -42,7 +42,7 @@ double levels_of(ValueRange range) {
 
 double haze_rounding(const Scene& scene) {
   if (scene.rendering.mode == Mode::peak_only) return 0;
-  const double opacity = greatest_opacity(scene.tf, scene.volume->statistics.range);
+  const double opacity = greatest_opacity(scene.tf, dvr_range(scene));
   return 4 * 0x1p-24 * extinction(opacity, scene.tf.unit_distance) * diagonal(scene.volume->grid);
 }
 

@@ -28,7 +28,7 @@ MacrocellStore::Entry& MacrocellStore::entry(const Volume& volume, const Classif
   const auto found = std::ranges::find(entries_, key, &Entry::key);
   if (found != entries_.end()) return *found;
 
-  const ValueRange field = volume.statistics.range;
+  const auto field = [&](const FieldFilter& filter) { return field_range(filter, volume.statistics.range); };
   Shown dvr, surfaces;
   if (key.dvr) dvr = {key.base_tf ? &classification.base : &classification.tf, blur, nullptr};
   if (key.peaks) surfaces.surfaces = &classification.surfaces;
@@ -36,10 +36,11 @@ MacrocellStore::Entry& MacrocellStore::entry(const Volume& volume, const Classif
   made.key = key;
   if (key.dvr_filter == key.root_filter) {
     dvr.surfaces = surfaces.surfaces;
-    made.occupancy = find_occupancy(macrocells(volume, key.dvr_filter), dvr, field);
+    made.occupancy = find_occupancy(macrocells(volume, key.dvr_filter), dvr, field(key.dvr_filter));
   } else {
-    made.occupancy = either(find_occupancy(macrocells(volume, key.dvr_filter), dvr, field),
-                            find_occupancy(macrocells(volume, key.root_filter), surfaces, field));
+    made.occupancy =
+        either(find_occupancy(macrocells(volume, key.dvr_filter), dvr, field(key.dvr_filter)),
+               find_occupancy(macrocells(volume, key.root_filter), surfaces, field(key.root_filter)));
   }
   return made;
 }

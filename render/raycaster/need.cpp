@@ -10,8 +10,10 @@
 #include "presets/names.h"
 #include "render/classify/antiderivatives.h"
 #include "render/classify/peak_table.h"
+#include "render/raycaster/largest_change.h"
 #include "render/raycaster/step_lengths.h"
 #include "render/view.h"
+#include "render/volume/filter_bounds.h"
 #include "render/volume/macrocells.h"
 
 namespace crest {
@@ -33,7 +35,9 @@ struct Scenery {
   double longest_ray;  ///< in it, in smallest spacings
   StepLengths steps;   ///< on its rays
 
-  ValueRange field() const { return statistics.range; }
+  /// What the field can be where DVR samples it, and where surfaces lie.
+  ValueRange dvr_field() const { return field_range(dvr_filter(rendering), statistics.range); }
+  ValueRange surface_field() const { return field_range(root_filter(rendering), statistics.range); }
   const std::vector<Peak>& surfaces() const { return classification.surfaces; }
   bool is_split() const { return rendering.peak_form == PeakForm::split; }
 
@@ -44,6 +48,8 @@ struct Scenery {
   std::string why_no_several_peaks(int peak_bins) const;
   std::string why_no_preintegration() const;
   std::string why_no_preintegration_table() const;
+  std::string why_no_own_root_filter(const Features& features) const;
+  std::string why_no_filter_gradient(const Features& features) const;
   std::string why_no_clip_box() const;
   std::string why_no_early_termination(const Features& features) const;
   std::string why_no_empty_cells() const;
@@ -82,7 +88,8 @@ std::string Scenery::why_no_base_tf() const {
   if (!is_split()) return "the peak form is the paper's";
   const auto& points = classification.tf.points;
   const auto is_met = [&](const Peak& p) {
-    return p.spike && p.shown && points[p.left].value <= field().max && points[p.right].value >= field().min;
+    return p.spike && p.shown && points[p.left].value <= dvr_field().max &&
+           points[p.right].value >= dvr_field().min;
   };
   return std::ranges::any_of(classification.peaks, is_met) ? ""
                                                            : "no spike in the volume's range is a surface";
@@ -90,8 +97,8 @@ std::string Scenery::why_no_base_tf() const {
 
 std::string Scenery::why_no_dvr() const {
   if (rendering.mode == Mode::peak_only) return "the mode is PEAK_ONLY";
-  if (largest_opacity(dvr_tf(), field()) > 0) return "";
-  if (largest_opacity(classification.tf, field()) > 0)
+  if (largest_opacity(dvr_tf(), dvr_field()) > 0) return "";
+  if (largest_opacity(classification.tf, dvr_field()) > 0)
     return "without its spikes, which are surfaces, the transfer function shows nothing";
   return "the transfer function shows nothing in the volume's range";
 }
@@ -106,9 +113,10 @@ std::string Scenery::why_no_peaks() const {
 
 std::string Scenery::why_no_several_peaks(int peak_bins) const {
   if (surfaces().size() == 1) return "there is one surface";
-  const double reach = largest_change(grid, statistics, steps.longest * grid.smallest_spacing());
+  const double reach =
+      largest_change(grid, statistics, root_filter(rendering), steps.longest * grid.smallest_spacing());
   const double gap = smallest_gap(surfaces());
-  const double bin = peak_bins > 0 ? field().width() / peak_bins * (1 + 1e-3) : 0;
+  const double bin = peak_bins > 0 ? surface_field().width() / peak_bins * (1 + 1e-3) : 0;
   if (!(reach + 2 * bin < gap)) return "";
   return fmt::format("values change by {:.3g} at most in a step, and surfaces are {:.3g} apart", reach, gap);
 }
@@ -125,6 +133,18 @@ std::string Scenery::why_no_preintegration_table() const {
              : "antiderivatives hold for every length";
 }
 
+std::string Scenery::why_no_own_root_filter(const Features& features) const {
+  const FieldFilter dvr = dvr_filter(rendering), root = root_filter(rendering);
+  if (dvr == root) return fmt::format("surfaces lie in the field of the samples: {}", name_of(root.kind));
+  if (!features.peaks) return why_no_peaks();
+  return features.dvr ? "" : why_no_dvr();
+}
+
+std::string Scenery::why_no_filter_gradient(const Features& features) const {
+  if (!features.shading) return "there is no shading";
+  return rendering.gradient == Gradient::filter ? "" : "rendering.gradient is central";
+}
+
 std::string Scenery::why_no_clip_box() const {
   if (!rendering.clip_box) return "rendering.clip_box is not set";
   const bool takes_away = box.min != grid.box_min() || box.max != grid.box_max();
@@ -137,7 +157,7 @@ std::string Scenery::why_no_early_termination(const Features& features) const {
   if (!(rendering.early_termination > 0)) return "rendering.early_termination is 0";
   double depth = 0;
   if (features.dvr)
-    depth += extinction(largest_opacity(dvr_tf(), field()), classification.tf.unit_distance) *
+    depth += extinction(largest_opacity(dvr_tf(), dvr_field()), classification.tf.unit_distance) *
              (longest_ray + steps.longest) * grid.smallest_spacing();
   if (features.peaks) {
     const double opacity = std::ranges::max(surfaces(), {}, &Peak::opacity).opacity;
@@ -152,9 +172,10 @@ std::string Scenery::why_no_early_termination(const Features& features) const {
 std::string Scenery::why_no_empty_cells() const {
   if (statistics.empty_max.x < statistics.empty_min.x)
     return fmt::format("all {} voxels have a value", grid.point_count());
-  const glm::dvec3 last = glm::min(glm::dvec3(statistics.empty_max), glm::dvec3(grid.dims - 1));
-  const Box empty{grid.origin + grid.spacing * glm::dvec3(statistics.empty_min),
-                  grid.origin + grid.spacing * last};
+  const double around = support_radius(rendering) - 1;  // the statistics' cells are those of radius 1
+  const glm::dvec3 first = glm::max(glm::dvec3(statistics.empty_min) - around, glm::dvec3(0));
+  const glm::dvec3 last = glm::min(glm::dvec3(statistics.empty_max) + around, glm::dvec3(grid.dims - 1));
+  const Box empty{grid.origin + grid.spacing * first, grid.origin + grid.spacing * last};
   // Rays are cast in float32: a thousandth of a cell beside it counts as in it
   const glm::dvec3 margin = 1e-3 * grid.spacing;
   const Box met{glm::max(empty.min - margin, box.min), glm::min(empty.max + margin, box.max)};
@@ -198,6 +219,7 @@ class Decision {
   void decide_peaks();
   void decide_forms();
   void decide_tf_table();
+  void decide_filters();
   void decide_steps();
   std::string why_no_skipping() const;
   void decide_rays(bool statistics);
@@ -216,18 +238,15 @@ void Decision::decide_peaks() {
   const auto unless_none = [&](std::string why_not) { return none.empty() ? std::move(why_not) : none; };
   const std::size_t count = s_.surfaces().size();
   const bool needs_table = count > most_listed_peaks;
+  const std::string single = count == 1 ? "there is one surface" : "";
+  const std::string few = fmt::format("{} surfaces can be tested all at once", count);
   decide(&Features::peaks, none);
-  decide(&Features::peak_table,
-         unless_none(needs_table ? "" : fmt::format("{} can be tested all at once", count)), f.peaks);
-  decide(&Features::peak_list,
-         unless_none(needs_table  ? "the peak table has them"
-                     : count == 1 ? "there is one surface"
-                                  : ""),
+  decide(&Features::peak_table, unless_none(needs_table ? "" : single.empty() ? few : single), f.peaks);
+  decide(&Features::peak_list, unless_none(f.peak_table ? "the peak table has them" : single),
          f.peaks && !f.peak_table);
   if (f.peak_table) {
     const int most = s_.rendering.peak_bins;
-    need_.features.peak_list = false;
-    need_.peak_bins = forced_.large_tables ? most : separating_bins(s_.surfaces(), s_.field(), most);
+    need_.peak_bins = forced_.large_tables ? most : separating_bins(s_.surfaces(), s_.surface_field(), most);
   }
   decide(&Features::several_peaks, unless_none(s_.why_no_several_peaks(need_.peak_bins)), f.peaks);
 }
@@ -255,15 +274,16 @@ void Decision::decide_tf_table() {
   const double spacing = s_.grid.smallest_spacing();
   if (need_.needed.dvr)
     need_.tf_table =
-        tf_table_size(s_.dvr_tf(), s_.field(), spacing, glm::length(s_.grid.box_size()) / spacing);
+        tf_table_size(s_.dvr_tf(), s_.dvr_field(), spacing, glm::length(s_.grid.box_size()) / spacing);
   if (forced_.large_tables) need_.tf_table.entries = largest_tf_table;
   decide(&Features::preintegrated, s_.why_no_preintegration(), false);
   decide(&Features::preintegration_table, s_.why_no_preintegration_table(), false);
   if (need_.features.preintegration_table)
-    need_.preintegration_bins = is_constant(s_.dvr_tf(), s_.field()) ? 2 : s_.rendering.preintegration_bins;
+    need_.preintegration_bins =
+        is_constant(s_.dvr_tf(), s_.dvr_field()) ? 2 : s_.rendering.preintegration_bins;
   const int entries =
       need_.features.preintegration_table ? need_.preintegration_bins : need_.tf_table.entries;
-  if (need_.needed.dvr) need_.tf_blur = s_.field().width() / (entries - 1);
+  if (need_.needed.dvr) need_.tf_blur = s_.dvr_field().width() / (entries - 1);
 }
 
 // Without this much that is empty the walk through the macrocells takes longer than it saves
@@ -289,6 +309,17 @@ void Decision::decide_steps() {
     need_.features.placement = need_.needed.placement = s_.rendering.placement;
 }
 
+// One filter, unless both DVR and surfaces are there with different ones.
+void Decision::decide_filters() {
+  Features& f = need_.features;
+  decide(&Features::own_root_filter, s_.why_no_own_root_filter(f), false);
+  f.filter = dvr_filter(s_.rendering).kind;
+  f.root_filter = root_filter(s_.rendering).kind;
+  if (!f.own_root_filter) (f.dvr ? f.root_filter : f.filter) = f.dvr ? f.filter : f.root_filter;
+  need_.needed.filter = f.filter;
+  need_.needed.root_filter = f.root_filter;
+}
+
 void Decision::decide_rays(bool statistics) {
   const bool samples = need_.features.dvr || need_.features.peaks;
   const auto if_sampled = [&](std::string why_not) {
@@ -303,6 +334,8 @@ void Decision::decide_rays(bool statistics) {
   decide(&Features::clip_box, s_.why_no_clip_box(), false);
   decide(&Features::shading,
          if_sampled(s_.rendering.shading == Shading::gradient ? "" : "rendering.shading is none"));
+  decide(&Features::filter_gradient, if_sampled(s_.why_no_filter_gradient(need_.features)),
+         need_.features.shading && !need_.needed.shading);
   decide(&Features::empty_cells, if_sampled(s_.why_no_empty_cells()));
   decide(&Features::early_termination, if_sampled(s_.why_no_early_termination(need_.needed)));
   need_.intervals = intervals_of(s_, need_.features);
@@ -326,6 +359,8 @@ void Decision::write_list() {
                                : s_.rendering.placement == Placement::entry_exit_corner
                                    ? "entry_exit_corner, the default, is the plain shader"
                                    : "nothing is sampled");
+  if (need_.features.filter == Filter::linear)
+    list.left_out.emplace_back("filter", "linear, the default, is the texture unit's");
   if (const auto& part = need_.tf_table.blurred)
     list.notes.push_back(
         fmt::format("the transfer function {} at {:.6g}, {} than an entry of the largest table: DVR shows it "
@@ -343,6 +378,7 @@ Need Decision::make(bool statistics) {
     decide_peaks();
     decide_forms();
     decide_tf_table();
+    decide_filters();
     decide_rays(statistics);
   } else {
     for (const FeatureName& feature : all_features()) reasons_.emplace_back(feature.in, nothing);
@@ -357,14 +393,6 @@ bool Need::is_empty() const { return !visible || !(features.dvr || features.peak
 
 int Need::passes() const {
   return features.long_rays ? std::max(1, (intervals - 1) / intervals_per_pass + 1) : 1;
-}
-
-double largest_change(const Grid& grid, const VolumeStatistics& statistics, double length) {
-  // Weights of 8 bits move a sample by up to 1/512 of a cell on each axis; float32 rounds
-  const glm::dvec3 d = statistics.largest_difference;
-  const double filter = 2 * (d.x + d.y + d.z) / 512;
-  const double rounding = 0x1p-20 * std::max(std::abs(statistics.range.min), std::abs(statistics.range.max));
-  return largest_gradient(grid, statistics) * length + filter + rounding;
 }
 
 Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,

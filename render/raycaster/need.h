@@ -70,8 +70,4 @@ Need find_need(const Volume& volume, const Classification& classification, const
 /// What a device holds for it.
 std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Classification& classification);
 
-/// The field's values at two places no further apart than `length`, in world units, differ by no more than
-/// this on any graphics device.
-double largest_change(const Grid& grid, const VolumeStatistics& statistics, double length);
-
 }  // namespace crest

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 #include <limits>
 #include <map>
 #include <optional>
@@ -74,6 +75,15 @@ void set_few_peaks(GLuint program, const std::vector<Peak>& peaks) {
   set(program, "peak_count", int(peaks.size()));
 }
 
+void set_bc_weights(GLuint program, const Rendering& rendering) {
+  const auto weights = filter_weights({Filter::bc, rendering.bc_b, rendering.bc_c});
+  glm::mat4 by_power;  // column k: what multiplies u^k
+  for (int k = 0; k < 4; ++k)
+    for (int i = 0; i < 4; ++i) by_power[k][i] = float(weights[std::size_t(i)][std::size_t(k)]);
+  glProgramUniformMatrix4fv(program, glGetUniformLocation(program, "bc_weights"), 1, GL_FALSE,
+                            &by_power[0][0]);
+}
+
 void clear(const gl::RenderTarget& target) {
   constexpr GLfloat transparent[4] = {};
   constexpr GLuint none[4] = {};
@@ -104,8 +114,10 @@ struct Raycaster::State {
   std::shared_ptr<const Volume> volume;
   StoredUnits units;  ///< of the volume's texture, and so of every value that a shader is given
   gl::TextureHandle values, empty_cells;
+  int empty_cells_radius = 0;  ///< of the filter that they are made for
 
   std::optional<Classification> classification;
+  ValueRange dvr_range, surface_range;  ///< of the scene that is drawn
   Tables tables;
   MacrocellStore macrocells;
   Tables no_tables;  ///< of a TF that shows nothing, for what is forced in
@@ -149,8 +161,12 @@ void Raycaster::State::take_volume(const Scene& scene) {
 
 void Raycaster::State::take_classification(const Scene& scene) {
   take_volume(scene);
-  if (classification && classification->tf == scene.tf) return;
-  classification = classify(scene.tf, scene.volume->statistics.range);
+  const ValueRange dvr = crest::dvr_range(scene), surfaces = crest::surface_range(scene);
+  if (classification && classification->tf == scene.tf && dvr == dvr_range && surfaces == surface_range)
+    return;
+  classification = classify(scene.tf, surfaces);
+  dvr_range = dvr;
+  surface_range = surfaces;
   tables = {};
   macrocells.forget_tf();
 }
@@ -184,10 +200,13 @@ void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program
   glBindTextureUnit(volume_unit, values.id());
   set(program, "volume", int(volume_unit));
   if (features.empty_cells) {
-    if (!empty_cells) empty_cells = upload_empty_cells(*volume);
+    const int radius = support_radius(scene.rendering);
+    if (!empty_cells || empty_cells_radius != radius) empty_cells = upload_empty_cells(*volume, radius);
+    empty_cells_radius = radius;
     glBindTextureUnit(empty_cells_unit, empty_cells.id());
     set(program, "empty_cells", int(empty_cells_unit));
   }
+  if (uses_filter(features, Filter::bc)) set_bc_weights(program, scene.rendering);
   if (features.skipping || features.adaptive) bind_macrocells(scene, need, program);
   if (features.dvr) bind_tf(scene, need, program);
   if (features.peaks) bind_peaks(need, program);
@@ -223,8 +242,7 @@ void Raycaster::State::bind_tf(const Scene& scene, const Need& need, GLuint prog
   auto& tf = held.samples;
   const int entries = need.tf_table.entries;
   if (!tf || tf->entries != entries)
-    tf = upload_tf(units.stored(shown), units.stored(volume->statistics.range),
-                   volume->grid.smallest_spacing(), entries);
+    tf = upload_tf(units.stored(shown), units.stored(dvr_range), volume->grid.smallest_spacing(), entries);
   glBindTextureUnit(tf_unit, tf->texture.id());
   set(program, "tf_texture", int(tf_unit));
   // The centres of the first and the last entry are the range's ends
@@ -237,8 +255,7 @@ void Raycaster::State::bind_antiderivatives(const TransferFunction& shown, DvrTa
   auto& table = held.antiderivatives;
   const int stretches = need.tf_table.entries - 1;
   if (!table || table->stretches != stretches)
-    table = upload_antiderivatives(build_antiderivatives(units.stored(shown),
-                                                         units.stored(volume->statistics.range),
+    table = upload_antiderivatives(build_antiderivatives(units.stored(shown), units.stored(dvr_range),
                                                          volume->grid.smallest_spacing(), stretches));
   glBindTextureUnit(tf_unit, table->texture.id());
   set(program, "antiderivatives", int(tf_unit));
@@ -249,9 +266,8 @@ void Raycaster::State::bind_preintegration(const TransferFunction& shown, DvrTab
                                            int bins, GLuint program) {
   auto& table = held.preintegration;
   if (!table || table->bins != bins || table->length != step)
-    table = upload_preintegration_table(
-        build_preintegration_table(units.stored(shown), units.stored(volume->statistics.range),
-                                   volume->grid.smallest_spacing(), step, bins));
+    table = upload_preintegration_table(build_preintegration_table(
+        units.stored(shown), units.stored(dvr_range), volume->grid.smallest_spacing(), step, bins));
   glBindTextureUnit(tf_unit, table->texture.id());
   set(program, "preintegration_table", int(tf_unit));
   // The centres of the first and the last texel are the range's ends
@@ -269,7 +285,7 @@ void Raycaster::State::bind_peaks(const Need& need, GLuint program) {
   if (!need.features.peak_table) return set_few_peaks(program, units.stored(surfaces));
 
   if (!held.peak_table || held.peak_table->bins != need.peak_bins) {
-    const PeakTable table = build_peak_table(surfaces, volume->statistics.range, need.peak_bins);
+    const PeakTable table = build_peak_table(surfaces, surface_range, need.peak_bins);
     held.peak_table = upload_peak_table(table, units.stored(surfaces));
   }
   glBindTextureUnit(peak_table_unit, held.peak_table->ranges.id());

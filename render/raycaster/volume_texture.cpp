@@ -51,9 +51,9 @@ gl::TextureHandle upload_macrocells(glm::ivec3 dims, const std::vector<std::uint
   return upload(dims, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, values.data(), GL_NEAREST);
 }
 
-gl::TextureHandle upload_empty_cells(const Volume& volume) {
+gl::TextureHandle upload_empty_cells(const Volume& volume, int radius) {
   return upload(volume.grid.dims - 1, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
-                find_empty_cells(volume).data(), GL_NEAREST);
+                find_empty_cells(volume, radius).data(), GL_NEAREST);
 }
 
 }  // namespace crest

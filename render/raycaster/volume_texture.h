@@ -10,8 +10,9 @@ namespace crest {
 /// some drivers), with stand-ins for voxels without a value. Throws Error when the driver cannot hold it.
 gl::TextureHandle upload_volume(const Volume& volume, const StoredUnits& units);
 
-/// Where they are: R8UI, a cell a texel, 1 where a corner has no value. Throws Error as above.
-gl::TextureHandle upload_empty_cells(const Volume& volume);
+/// Where they are: R8UI, a cell a texel, 1 where a point that a filter of this radius reaches has no value.
+/// Throws Error as above.
+gl::TextureHandle upload_empty_cells(const Volume& volume, int radius);
 
 /// A texel (R8UI) for each macrocell.
 gl::TextureHandle upload_macrocells(glm::ivec3 dims, const std::vector<std::uint8_t>& values);

@@ -16,6 +16,15 @@ std::string_view name_of(Answer answer) {
   return "";
 }
 
+AnswerFilters filters_of(Answer answer, const Rendering& rendering) {
+  AnswerFilters filters{dvr_filter(rendering), root_filter(rendering)};
+  if (answer == Answer::integral) filters.root = filters.dvr;
+  if (answer == Answer::crossings) filters.dvr = filters.root;
+  for (FieldFilter* filter : {&filters.dvr, &filters.root})
+    if (filter->kind == Filter::linear_exact) filter->kind = Filter::linear;
+  return filters;
+}
+
 std::vector<Answer> answers_of(const Rendering& rendering) {
   switch (rendering.mode) {
     case Mode::dvr_only:

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "presets/preset.h"
+#include "render/volume/filter.h"
 
 namespace crest {
 
@@ -17,6 +18,14 @@ enum class Answer {
 
 /// "integral", "crossings", "integral+crossings", "base+crossings": as they are called in every report.
 std::string_view name_of(Answer answer);
+
+/// Of the scene's filters, those of which an answer depends: of what is integrated, and of the field in which
+/// surfaces lie. Where it shows one of both, that one; the texture unit's linear filter is the exact one.
+struct AnswerFilters {
+  FieldFilter dvr, root;
+  bool operator==(const AnswerFilters&) const = default;
+};
+AnswerFilters filters_of(Answer answer, const Rendering& rendering);
 
 /// What the error of such a picture is measured against: DVR_ONLY the first, PEAK_ONLY the second, both the
 /// third, PEAK_XOR_DVR in the split form the fourth, and in the paper's form the last two. The first of the

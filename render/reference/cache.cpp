@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "presets/atomic_file.h"
+#include "presets/names.h"
 #include "presets/preset_file.h"
 
 namespace crest {
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// To be raised whenever the same content gives another picture, or the files another layout.
-constexpr int algorithm_version = 1;
+constexpr int algorithm_version = 3;
 constexpr const char* extension = ".reference";
 
 std::uint64_t hash_of(const void* bytes, std::size_t size) { return OIIO::xxhash::XXH64(bytes, size, 0); }
@@ -32,13 +33,18 @@ std::string key_of(const Scene& scene, const Camera& camera, glm::ivec2 size, An
   preset.transfer_function = scene.tf;
   preset.rendering.clip_box = scene.rendering.clip_box;
   preset.camera = camera;
+  const AnswerFilters filters = filters_of(answer, scene.rendering);
+  const auto text_of = [](const FieldFilter& f) {
+    return fmt::format("{} {} {}", name_of(f.kind), f.b, f.c);
+  };
   return fmt::format(
       "crest reference, algorithm {}\n{}x{} pixels, {}, tolerance {}\ngrid {} {} {}, spacing {} {} {}, "
       "origin "
-      "{} {} {}, values {:016x}\n{}",
+      "{} {} {}, values {:016x}\nfilter {}, of roots {}\n{}",
       algorithm_version, size.x, size.y, name_of(answer), tolerance, grid.dims.x, grid.dims.y, grid.dims.z,
       grid.spacing.x, grid.spacing.y, grid.spacing.z, grid.origin.x, grid.origin.y, grid.origin.z,
-      hash_of(values.data(), values.size() * sizeof(float)), write_preset(preset));
+      hash_of(values.data(), values.size() * sizeof(float)), text_of(filters.dvr), text_of(filters.root),
+      write_preset(preset));
 }
 
 fs::path file_of(const fs::path& folder, const std::string& key) {

@@ -15,7 +15,7 @@ struct CachedReference {
 inline constexpr std::uintmax_t default_cache_bytes = std::uintmax_t(512) << 20;
 
 /// render_reference, or what it gave earlier for the same content, from a file in `folder`: the field and its
-/// grid, the TF, the clip box, the camera, and the arguments. Throws Error, Cancelled.
+/// grid, its filters, the TF, the clip box, the camera, and the arguments. Throws Error, Cancelled.
 ///
 /// What a cache cannot do is no error: a file that is damaged or of something else counts as none, and where
 /// none can be written (or `folder` is empty) the picture is rendered each time. The folder's files keep to

@@ -4,9 +4,9 @@
 
 namespace crest::reference {
 
-/// Degrees of the polynomials that the field along a ray is: in a cell of a trilinear field exactly; of a
-/// formula to its rounding, in pieces as short as that takes.
-inline constexpr int cell_degree = 3, formula_degree = 8;
+/// Degrees of the polynomials that the field along a ray is: in a cell of a trilinear field and of a cubic
+/// filter's exactly; of a formula to its rounding, in pieces as short as that takes.
+inline constexpr int cell_degree = 3, cubic_cell_degree = 9, formula_degree = 8;
 
 /// The field along a piece of a ray.
 template <class Real, int N>

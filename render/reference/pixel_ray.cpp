@@ -14,13 +14,15 @@ struct Interval {
   int axis = -1;  ///< whose face is entered
 };
 
-/// Where the line is in the box, from `start` on. A line in a face is inside.
+/// Where the line is in the box, from `start` on. A line in a face is inside; nothing is in a box that ends
+/// before it begins.
 template <class Real>
 Interval<Real> intersect(Vec3<Real> origin, Vec3<Real> direction, Vec3<Real> low, Vec3<Real> high,
                          Real start) {
   Interval<Real> hit{start, std::numeric_limits<Real>::max()};
   for (int axis = 0; axis < 3; ++axis) {
     const Real o = origin[axis], d = direction[axis];
+    if (low[axis] > high[axis]) return {1, 0};
     if (d == 0) {
       if (o < low[axis] || o > high[axis]) return {1, 0};
       continue;

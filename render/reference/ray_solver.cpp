@@ -100,14 +100,14 @@ void RaySolver<Real>::add(const FieldPiece<Real, N>& piece) {
 
 /// The crossing at the knot between two runs, if there is one.
 template <class Real>
-void RaySolver<Real>::enter_run(Value<Real> value, Trend trend, Real float_rounding) {
+void RaySolver<Real>::enter_run(Value<Real> value, Trend trend, Real place, Real float_rounding) {
   if (trend != trend_ || trend == Trend::flat) note_grazing(value, float_rounding);
   const bool outside_before = trend_ == Trend::rising,
              inside_before = trend_ == Trend::falling || trend_ == Trend::flat;
   if (trend == Trend::falling ? inside_before : outside_before) {
     const std::size_t above = levels_.stretch_at(value);
     if (above > 0 && levels_.levels[above - 1].value - value == 0)
-      cross(levels_.levels[above - 1], trend != Trend::falling);
+      cross(levels_.levels[above - 1], trend != Trend::falling, place);
   }
   trend_ = trend;
 }
@@ -119,11 +119,11 @@ void RaySolver<Real>::add_run(const FieldPiece<Real, N>& piece, Real from, Real 
   const Real rise = last - first;
   if (std::abs(rise) <= piece.rounding) {
     const Real length = (to - from) * piece.length;
-    if (length > Real(least_flat_length)) enter_run(first, Trend::flat, piece.float_rounding);
+    if (length > Real(least_flat_length)) enter_run(first, Trend::flat, from, piece.float_rounding);
     composite_flat(first, length);
     return;
   }
-  enter_run(first, rise > 0 ? Trend::rising : Trend::falling, piece.float_rounding);
+  enter_run(first, rise > 0 ? Trend::rising : Trend::falling, from, piece.float_rounding);
   integrate_run(piece, from, to, first, last);
 }
 
@@ -147,7 +147,7 @@ void RaySolver<Real>::integrate_run(const FieldPiece<Real, N>& piece, Real from,
     if (!is_opaque())
       from += composite_stretch(piece, index, from, to, value, next ? next->value : last, next != nullptr);
     if (!next) return;
-    cross(*next, rising);
+    cross(*next, rising, from);
     value = next->value;
     rising ? ++index : --index;
   }
@@ -246,14 +246,22 @@ void RaySolver<Real>::composite(Vec3<Real> color, Real depth) {
 }
 
 template <class Real>
-void RaySolver<Real>::cross(const Level<Real>& level, bool rising) {
+void RaySolver<Real>::cross(const Level<Real>& level, bool rising, Real place) {
   for (std::size_t i = level.first_surface; i < level.past_surface; ++i) {
     const auto& surface = levels_.surfaces[rising ? i : level.past_surface - 1 - (i - level.first_surface)];
-    collected_.color += transmittance_ * surface.opacity * surface.color;
-    collected_.alpha += transmittance_ * surface.opacity;
-    transmittance_ *= 1 - surface.opacity;
-    ++collected_.crossings;
+    if (met_)
+      met_->push_back({place, &surface});
+    else
+      composite_surface(surface);
   }
+}
+
+template <class Real>
+void RaySolver<Real>::composite_surface(const CrossedSurface<Real>& surface) {
+  collected_.color += transmittance_ * surface.opacity * surface.color;
+  collected_.alpha += transmittance_ * surface.opacity;
+  transmittance_ *= 1 - surface.opacity;
+  ++collected_.crossings;
 }
 
 template <class Real>
@@ -266,6 +274,8 @@ template class RaySolver<double>;
 template class RaySolver<float>;
 template void RaySolver<double>::add<cell_degree>(const FieldPiece<double, cell_degree>&);
 template void RaySolver<float>::add<cell_degree>(const FieldPiece<float, cell_degree>&);
+template void RaySolver<double>::add<cubic_cell_degree>(const FieldPiece<double, cubic_cell_degree>&);
+template void RaySolver<float>::add<cubic_cell_degree>(const FieldPiece<float, cubic_cell_degree>&);
 template void RaySolver<double>::add<formula_degree>(const FieldPiece<double, formula_degree>&);
 
 }  // namespace crest::reference

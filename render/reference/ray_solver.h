@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "render/reference/field_piece.h"
 #include "render/reference/levels.h"
@@ -16,6 +17,13 @@ struct Collected {
   Real alpha = 0;
   std::uint32_t crossings = 0;
   bool grazing = false;
+};
+
+/// A surface that is crossed in a piece, at a place of it in [0, 1].
+template <class Real>
+struct MetSurface {
+  Real place = 0;
+  const CrossedSurface<Real>* surface = nullptr;
 };
 
 /// Solves the volume rendering integral and the crossings along one ray, piece by piece from its front:
@@ -44,6 +52,11 @@ class RaySolver {
   void add_constant(const Stretch<Real>& stretch, Real length);
   void end_span();
 
+  /// From now on the surfaces that a piece meets are added to `met`, in order, and not composited.
+  void tell_surfaces(std::vector<MetSurface<Real>>& met) { met_ = &met; }
+  void composite_surface(const CrossedSurface<Real>& surface);
+  void note_grazing() { collected_.grazing = true; }
+
   /// Nothing behind shows: less than 1e-17 comes through.
   bool is_opaque() const { return transmittance_ < Real(1e-17); }
   /// Nothing behind shows, and there are no crossings to be counted.
@@ -70,8 +83,8 @@ class RaySolver {
                        Real z1, int halvings);
   void composite_flat(Value<Real> value, Real length);
   void composite(Vec3<Real> color, Real depth);
-  void cross(const Level<Real>& level, bool rising);
-  void enter_run(Value<Real> value, Trend trend, Real float_rounding);
+  void cross(const Level<Real>& level, bool rising, Real place);
+  void enter_run(Value<Real> value, Trend trend, Real place, Real float_rounding);
   void note_grazing(Value<Real> value, Real float_rounding);
   Value<Real> snapped(Value<Real> value, Real rounding) const;
 
@@ -79,6 +92,7 @@ class RaySolver {
   Real tolerance_;
   Real transmittance_ = 1;
   Collected<Real> collected_;
+  std::vector<MetSurface<Real>>* met_ = nullptr;  ///< where they are only told
 
   Trend trend_ = Trend::unknown;  ///< of the last run that counts
   bool knot_known_ = false;

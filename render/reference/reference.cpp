@@ -14,7 +14,8 @@
 #include "render/reference/levels.h"
 #include "render/reference/pixel_ray.h"
 #include "render/reference/ray_solver.h"
-#include "render/reference/trilinear_field.h"
+#include "render/reference/volume_field.h"
+#include "render/volume/empty_cells.h"
 
 namespace crest {
 namespace {
@@ -77,14 +78,28 @@ Reference render(const Scene& scene, const Camera& camera, glm::ivec2 size, cons
   return result;
 }
 
+/// The fields of the filters that the answer shows.
+VolumeFields fields_of(const Scene& scene, Answer answer) {
+  const auto [dvr, root] = filters_of(answer, scene.rendering);
+  VolumeFields fields{*scene.volume, dvr, root, {}};
+  if (scene.volume->has_empty_cells())
+    fields.empty_cells = find_empty_cells(*scene.volume, std::max(radius_of(dvr), radius_of(root)));
+  return fields;
+}
+
 template <class Real>
-Reference render_trilinear(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
-                           double tolerance, const Progress& progress) {
-  const Volume& volume = *scene.volume;
-  const auto surfaces = classify(scene.tf, volume.statistics.range).surfaces;
-  return render(
-      scene, camera, size, levels_of<Real>(scene, answer, surfaces), tolerance, progress,
-      [&](RaySolver<Real>& solver, const PixelRay<Real>& ray) { solve_trilinear(solver, volume, ray); });
+Reference render_volume(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
+                        double tolerance, const Progress& progress) {
+  const VolumeFields fields = fields_of(scene, answer);
+  const auto surfaces = classify(scene.tf, surface_range(scene)).surfaces;
+  FieldLevels<Real> levels;
+  levels.are_apart = fields.dvr != fields.root && !surfaces.empty();
+  levels.levels = levels_of<Real>(scene, answer, levels.are_apart ? std::span<const Peak>() : surfaces);
+  if (levels.are_apart) levels.surfaces = levels_of<Real>(scene, Answer::crossings, surfaces);
+  return render(scene, camera, size, levels.levels, tolerance, progress,
+                [&](RaySolver<Real>& solver, const PixelRay<Real>& ray) {
+                  solve_volume(solver, fields, levels, tolerance, ray);
+                });
 }
 
 }  // namespace
@@ -97,12 +112,12 @@ Image Reference::image() const {
 
 Reference render_reference(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
                            double tolerance, const Progress& progress) {
-  return render_trilinear<double>(scene, camera, size, answer, tolerance, progress);
+  return render_volume<double>(scene, camera, size, answer, tolerance, progress);
 }
 
 Reference render_reference_in_float(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
                                     double tolerance, const Progress& progress) {
-  return render_trilinear<float>(scene, camera, size, answer, tolerance, progress);
+  return render_volume<float>(scene, camera, size, answer, tolerance, progress);
 }
 
 Reference render_reference(const FormulaField& field, const Scene& scene, const Camera& camera,

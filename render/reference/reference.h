@@ -37,7 +37,8 @@ inline constexpr double default_tolerance = 1e-10;
 /// Solves every pixel's ray to `tolerance` (absolute, in each channel), on all cores. Step, placement,
 /// shading and early termination have no part in it; the clip box has. Throws Error, Cancelled.
 ///
-/// What is solved is, on a ray x(s) from the eye on, with the trilinear field f(s) = f(x(s)) in the box,
+/// What is solved is, on a ray x(s) from the eye on, with the field f(s) = f(x(s)) of `rendering.filter` in
+/// the box (where `root_filter` is another, the crossings are those of its field),
 ///
 ///   I = integral of c(f(s)) rho(f(s)) T(s) ds,   rho = -ln(max(1 - a(f), 2^-24)) / unit_distance,
 ///   T(s) = exp(-integral of rho up to s) * product of (1 - a_k) over the crossings k before s,
@@ -46,7 +47,8 @@ inline constexpr double default_tolerance = 1e-10;
 /// there:
 ///
 ///   pixel_ray        a pixel's ray, where it is in the rendered box
-///   cell_walk        the cells on it; in a cell f(s) is a cubic (trilinear_field)
+///   cell_walk        the cells on it; in a cell f(s) is a polynomial, of degree 3 (trilinear_cell) or, with
+///                    cubic filters, 9 (cubic_cell); one field or two, cell by cell (volume_field)
 ///   piecewise_fit    or f(s) of a formula, as polynomials (formula_field)
 ///   levels           the TF, cut at the values where it bends, where the cap begins, and of the surfaces
 ///   ray_solver       f(s) cut at its extrema and where it meets a level: in between all is smooth

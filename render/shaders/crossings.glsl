@@ -12,10 +12,24 @@ struct Interval {
   bool is_first;  // of the span: nothing is known of the field before
 };
 
+// The least and the greatest value that the field can have between two samples of a row of four. The lines that lead
+// to them from outside bound it, where it is convex there: also an extremum between the samples.
+#if EXTREMA
+float least_between(float f0, float f1, float f2, float f3) {
+  return min(min(f1, f2), max(2.0 * f1 - f0, 2.0 * f2 - f3));
+}
+float most_between(float f0, float f1, float f2, float f3) {
+  return max(max(f1, f2), min(2.0 * f1 - f0, 2.0 * f2 - f3));
+}
+#else
+float least_between(float f0, float f1, float f2, float f3) { return min(f1, f2); }
+float most_between(float f0, float f1, float f2, float f3) { return max(f1, f2); }
+#endif
+
 #if DVR && SPLIT
 // The march's: composites the ray up to a knot - a crossing of this interval, the first or a later one, or with
 // pre-integration an extremum - from `from`, the knot before it.
-void composite_until(Interval now, Knot from, Knot knot, bool is_first, float light_at_knot);
+void composite_until(Ray ray, Interval now, Knot from, Knot knot, bool is_first, float light_at_knot);
 #endif
 
 #if EXTREMA
@@ -26,6 +40,12 @@ bool find_extremum(Ray ray, Interval now, out Knot extremum) {
   float place = (now.b.value - now.a.value - rise_after) / (rise_before - rise_after);
   bool turns = rise_before < 0.0 ? rise_after > 0.0 : rise_before > 0.0 && rise_after < 0.0;  // no product: it underflows
   if (now.is_first || !turns || !(place > 0.0 && place < 1.0)) return false;
+#if PEAK_TABLE
+  // What is found must not depend on how far the table's bins reach beyond their peaks
+  if (!holds_peak(least_between(now.before, now.a.value, now.b.value, now.after),
+                  most_between(now.before, now.a.value, now.b.value, now.after)))
+    return false;
+#endif
   extremum.t = mix(now.a.t, now.b.t, place);
   extremum.value = field(at(ray, extremum.t));
   return extremum.value > max(now.a.value, now.b.value) || extremum.value < min(now.a.value, now.b.value);
@@ -86,7 +106,7 @@ bool composite_interval(Ray ray, Interval now, out float before) {
       Knot hit = Knot(solve(ray, bracket, b, peak.value), peak.value);
       float light_at_hit = LIGHT(hit.t);
 #if DVR && SPLIT
-      composite_until(now, from, hit, found == 0, light_at_hit);
+      composite_until(ray, now, from, hit, found == 0, light_at_hit);
 #endif
       composite(peak.color_opacity.rgb * light_at_hit, peak.color_opacity.a);
       COUNT_CROSSING;
@@ -110,7 +130,7 @@ bool composite_interval(Ray ray, Interval now, out float before) {
       k = next_crossed(candidates, 0u, before, a, b);
       again = k < candidates.count && !IS_FULL(found);
 #if PREINTEGRATED && DVR && SPLIT
-      if (found > 0 || again) composite_until(now, from, a, found == 0, LIGHT(a.t));
+      if (found > 0 || again) composite_until(ray, now, from, a, found == 0, DVR_LIGHT(a.t));
 #endif
     }
 #endif
@@ -118,17 +138,3 @@ bool composite_interval(Ray ray, Interval now, out float before) {
   before = a.value;
   return found > 0;
 }
-
-// The least and the greatest value that the field can have between two samples of a row of four. The lines that lead
-// to them from outside bound it, where it is convex there: also an extremum between the samples.
-#if EXTREMA
-float least_between(float f0, float f1, float f2, float f3) {
-  return min(min(f1, f2), max(2.0 * f1 - f0, 2.0 * f2 - f3));
-}
-float most_between(float f0, float f1, float f2, float f3) {
-  return max(max(f1, f2), min(2.0 * f1 - f0, 2.0 * f2 - f3));
-}
-#else
-float least_between(float f0, float f1, float f2, float f3) { return min(f1, f2); }
-float most_between(float f0, float f1, float f2, float f3) { return max(f1, f2); }
-#endif

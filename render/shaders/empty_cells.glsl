@@ -1,9 +1,9 @@
-// A ray's part in the box is cut where it meets a cell with a NaN or Inf corner.
+// A ray's part in the box is cut where it meets an empty cell: one that the filter would need a NaN or Inf for.
 
 #include "walk.glsl"
 
 #if EMPTY_CELLS
-uniform usampler3D empty_cells;  // 1 = this cell has a corner without a value
+uniform usampler3D empty_cells;  // 1 = this cell is empty
 
 bool is_empty(Walk walk) { return texelFetch(empty_cells, walk.cell, 0).r != 0u; }
 

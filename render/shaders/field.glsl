@@ -1,4 +1,5 @@
-// The scalar field: trilinear between the grid's points, by the texture unit.
+// The scalar field between the grid's points: that in which surfaces lie, by the filter ROOT_FIELD. DVR's samples have
+// a field of their own, by DVR_FIELD, where that is another filter (OWN_ROOT_FILTER); else no place is evaluated twice.
 
 #include "ray.glsl"
 #include "statistics.glsl"
@@ -6,24 +7,32 @@
 uniform sampler3D volume;
 uniform vec3 texture_scale, texture_offset;  // from a position in the box to the texture: point i is at (i+0.5)/n
 
+#if FILTER_LINEAR
+#include "filter_linear.glsl"
+#endif
+#if FILTER_LINEAR_EXACT
+#include "filter_linear_exact.glsl"
+#endif
+#if FILTER_BSPLINE
+#include "filter_bspline.glsl"
+#endif
+#if FILTER_BC
+#include "filter_bc.glsl"
+#endif
+
 float field(vec3 position) {
   COUNT_SAMPLE;
-  return texture(volume, position * texture_scale + texture_offset).r;
+  return ROOT_FIELD(position);
 }
 
-#if SHADING
-
-// Central differences over one voxel to either side, one-sided at the box's faces.
-vec3 gradient(vec3 position) {
-  vec3 result;
-  for (int axis = 0; axis < 3; ++axis) {
-    vec3 low = position, high = position;
-    low[axis] = max(position[axis] - cell_size[axis], 0.0);
-    high[axis] = min(position[axis] + cell_size[axis], box_size[axis]);
-    result[axis] = (texture(volume, high * texture_scale + texture_offset).r -
-                    texture(volume, low * texture_scale + texture_offset).r) /
-                   (high[axis] - low[axis]);
-  }
-  return result;
+// What DVR classifies at a position where the field of surfaces is known to have a value.
+#if OWN_ROOT_FILTER
+float dvr_field(vec3 position) {
+  COUNT_SAMPLE;
+  return DVR_FIELD(position);
 }
+#define DVR_VALUE(value, position) dvr_field(position)
+#else
+#define dvr_field field
+#define DVR_VALUE(value, position) (value)
 #endif

@@ -3,10 +3,10 @@
 // of them pay for it: this way they pay once a crossing, not once a step.)
 
 #if DVR
-// Material of the sample at t: shaded colour, extinction.
+// Material of the sample at t, where the surfaces' field has this value: shaded colour, extinction.
 vec4 material_at(Ray ray, float t, float value) {
-  vec4 material = classify(value);
-  return vec4(material.rgb * LIGHT(t), material.a);
+  vec4 material = classify(DVR_VALUE(value, at(ray, t)));
+  return vec4(material.rgb * DVR_LIGHT(t), material.a);
 }
 #endif
 
@@ -18,7 +18,7 @@ vec4 sample_material;
 // Composites up to a crossing: the piece that holds the sample with the sample's material, to the end of its segment;
 // the rest, or a piece between two crossings, with the TF at its middle, on the line between its two knots. No piece
 // goes beyond the last segment's end.
-void composite_until(Interval now, Knot from, Knot hit, bool is_first, float light_at_hit) {
+void composite_until(Ray ray, Interval now, Knot from, Knot hit, bool is_first, float light_at_hit) {
   if (is_first) {
     float end = min(now.boundary, hit.t);
     composite(sample_material.rgb, opacity_of(sample_material.a * max(end - done, 0.0)));
@@ -27,7 +27,7 @@ void composite_until(Interval now, Knot from, Knot hit, bool is_first, float lig
   float end = min(hit.t, now.last_end);
   float size = max(end - done, 0.0);
   float place = clamp((end - 0.5 * size - from.t) / max(hit.t - from.t, 1.0e-30), 0.0, 1.0);
-  vec4 material = classify(mix(from.value, hit.value, place));
+  vec4 material = classify(DVR_VALUE(mix(from.value, hit.value, place), at(ray, end - 0.5 * size)));
   composite(material.rgb * light_at_hit, opacity_of(material.a * size));
   done = max(done, end);
 }

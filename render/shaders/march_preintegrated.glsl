@@ -15,12 +15,12 @@ float end_at(Sampling s, int i) {
 
 void march(Ray ray, Sampling s, int first, int last) {
   float begin = end_at(s, first);
-  Place front = place_of(field(at(ray, begin)));
+  Place front = place_of(dvr_field(at(ray, begin)));
   for (int i = first; i < last; ++i) {
     float end = end_at(s, i + 1);
-    Place back = place_of(field(at(ray, end)));
+    Place back = place_of(dvr_field(at(ray, end)));
     COUNT_DVR_SAMPLE;
-    composite_segment(front, back, end - begin, LIGHT(0.5 * (begin + end)));
+    composite_segment(front, back, end - begin, DVR_LIGHT(0.5 * (begin + end)));
     begin = end;
     front = back;
     if (TERMINATED) break;
@@ -31,13 +31,18 @@ void march(Ray ray, Sampling s, int first, int last) {
 
 // With peaks, in the same two loops as march_peaks.glsl: an interval is a segment here.
 
+Place place_at(Ray ray, Knot knot) { return place_of(DVR_VALUE(knot.value, at(ray, knot.t))); }
+
 #if SPLIT
 // A segment that a crossing cuts is composited up to here.
-Knot reached;
+float reached;
+Place reached_place;
 
-void composite_until(Interval now, Knot from, Knot knot, bool is_first, float light_at_knot) {
-  composite_segment(place_of(reached.value), place_of(knot.value), knot.t - reached.t, light_at_knot);
-  reached = knot;
+void composite_until(Ray ray, Interval now, Knot from, Knot knot, bool is_first, float light_at_knot) {
+  Place place = place_at(ray, knot);
+  composite_segment(reached_place, place, knot.t - reached, light_at_knot);
+  reached = knot.t;
+  reached_place = place;
 }
 #endif
 
@@ -48,7 +53,7 @@ void march(Ray ray, Sampling s, int first, int last) {
   float f0 = first > 0 ? field(at(ray, end_at(s, first - 1))) : f1;
   float f3 = f2;
   if (first + 1 < s.n) f3 = field(at(ray, end_at(s, first + 2)));
-  Place front = place_of(f1);
+  Place front = place_at(ray, Knot(end_at(s, first), f1));
   int cleared = -1;      // the segment whose crossings were composited
   bool is_left = true;   // whether the next segment still is to be
   int i = first;
@@ -56,10 +61,10 @@ void march(Ray ray, Sampling s, int first, int last) {
     while (i < last) {
       if (i != cleared && may_cross(least_between(f0, f1, f2, f3), most_between(f0, f1, f2, f3))) break;
       float begin = end_at(s, i), end = end_at(s, i + 1);
-      Place back = place_of(f2);
+      Place back = place_at(ray, Knot(end, f2));
       if (is_left) {
         COUNT_DVR_SAMPLE;
-        composite_segment(front, back, end - begin, LIGHT(0.5 * (begin + end)));
+        composite_segment(front, back, end - begin, DVR_LIGHT(0.5 * (begin + end)));
       }
       is_left = true;
       front = back;
@@ -75,14 +80,15 @@ void march(Ray ray, Sampling s, int first, int last) {
     Knot a = Knot(end_at(s, i), f1), b = Knot(end_at(s, i + 1), f2);
     Interval now = Interval(a, b, i == 0 ? f2 : f0, f3, b.t, b.t, i == 0);
 #if SPLIT
-    reached = a;
+    reached = a.t;
+    reached_place = front;
 #endif
     bool crossed = composite_interval(ray, now, f1);
     cleared = i;
     if (crossed) {
 #if SPLIT
       COUNT_DVR_SAMPLE;
-      composite_until(now, a, b, false, LIGHT(0.5 * (reached.t + b.t)));
+      composite_until(ray, now, a, b, false, DVR_LIGHT(0.5 * (reached + b.t)));
       is_left = false;
 #elif EXCLUSIVE
       is_left = false;

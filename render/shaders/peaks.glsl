@@ -43,6 +43,15 @@ void find_candidates(float least, float most, out uint first, out uint count) {
   first = run & 0xffffu;
   count = run >> 16;
 }
+
+// Whether a peak lies in [least, most] indeed.
+bool holds_peak(float least, float most) {
+  uint first, count;
+  find_candidates(least, most, first, count);
+  for (uint k = first; k < first + count; ++k)
+    if (peaks[k].value >= least && peaks[k].value <= most) return true;
+  return false;
+}
 #elif PEAK_LIST
 // So few that all of them are tested: their values, and beyond them infinity.
 uniform vec4 few_peaks;

@@ -46,9 +46,9 @@ uniform float least_residual;
 void march(Ray ray, Sampling s, int first, int last) {
   for (int i = first; i < last; ++i) {
     float t = middle_at(s, i);
-    vec4 material = classify(field(at(ray, t)));
+    vec4 material = classify(dvr_field(at(ray, t)));
     COUNT_DVR_SAMPLE;
-    composite(material.rgb * LIGHT(t), opacity_of(material.a * size_at(s, i)));
+    composite(material.rgb * DVR_LIGHT(t), opacity_of(material.a * size_at(s, i)));
     if (TERMINATED) break;
   }
 }
@@ -135,7 +135,7 @@ void main() {
     Walk walk = begin_walk(ray, box, textureSize(empty_cells, 0), cell_size);
     bool more = true;
     Span span;
-    while (next_span(walk, more, span)) march_span(ray, span, index);
+    while (!TERMINATED && next_span(walk, more, span)) march_span(ray, span, index);
 #else
     march_span(ray, box, index);
 #endif

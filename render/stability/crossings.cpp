@@ -104,13 +104,12 @@ std::vector<Row> rows_against_exact(Lab& lab, const std::string& name, const Vol
                           .quantity = "pixels with a crossing invented, or missed other than in pairs",
                           .bound = 0,
                           .truth = Truth::reference},
-                         miscounted, pictures));
+                         miscounted, pictures, left_out));
     rows.push_back(judge({.name = fmt::format("{}, {}, step 1/64", name, crest::name_of(mode)),
                           .quantity = "crossings missed in pairs, a pixel",
                           .bound = 1e-3,
                           .truth = Truth::reference},
-                         missed, pictures));
-    for (Row& row : rows) row.left_out = left_out;
+                         missed, pictures, left_out));
   }
   return rows;
 }

@@ -59,8 +59,8 @@ struct Worst {
   void take(double measured, std::string_view where);
 };
 
-/// The verdict: `measured` keeps the bound (or the limit), no pixel of `pictures` is NaN or Inf, and none is
-/// empty unless the truth is. At least one picture.
-Row judge(Claim claim, Worst measured, std::span<const Image> pictures);
+/// The verdict: `measured` keeps the bound (or the limit), no pixel of `pictures` is NaN or Inf, none of them
+/// is empty unless the truth is, and no more than one pixel in 100 was left out. At least one picture.
+Row judge(Claim claim, Worst measured, std::span<const Image> pictures, int left_out = 0);
 
 }  // namespace crest::stability

@@ -50,14 +50,13 @@ std::vector<Row> rows_against_exact(Lab& lab, const std::string& name, const Vol
     const Scene scene = make_scene(volume, tf, mode, 1.0 / 32);
     const CountedPicture picture = draw_counted(lab, scene, camera, lab.size);
     const Deviation off = deviation_from_exact(picture, scene, camera);
-    Worst error, count;
+    Worst error;
     error.take(off.largest, "");
     rows.push_back(judge({.name = fmt::format("{}, {}", name, crest::name_of(mode)),
                           .quantity = "largest error of a channel, haze with a surface in it",
                           .bound = 1e-4,
                           .truth = Truth::reference},
-                         error, {&picture.image, 1}));
-    rows.back().left_out = off.left_out;
+                         error, {&picture.image, 1}, off.left_out));
   }
   return rows;
 }

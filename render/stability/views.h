@@ -24,8 +24,7 @@ struct Change {
 
 /// A row for each tested mode: the largest difference that any of the changes makes, demanded to be at most
 /// 1e-5. Left out are the pixels whose rays so nearly graze a surface that they meet more or fewer when it
-/// moves by 1e-4 of the range: there the place of a crossing hangs on the last digit. If they are more than
-/// one in 100, the row fails.
+/// moves by 1e-4 of the range: there the place of a crossing hangs on the last digit.
 std::vector<Row> rows_of_changes(Lab& lab, const std::string& name, const std::function<View(Mode)>& plain,
                                  const std::vector<Change>& changes);
 

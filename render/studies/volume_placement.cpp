@@ -52,7 +52,7 @@ VolumePlacement study_placement(Raycaster& raycaster, const VolumeStudy& study, 
 VolumeStudy study_volume(Raycaster& raycaster, const PlacementScene& scene, glm::ivec2 size,
                          std::stop_token stop) {
   VolumeStudy study{scene, size, {}, {}};
-  study.exact = render_reference(scene.scene, scene.camera, size, Answer::integral, 1e-10,
+  study.exact = render_reference(scene.scene, scene.camera, size, Answer::integral, default_tolerance,
                                  [&](double) { return !stop.stop_requested(); });
   for (const auto& [placement, name] : names_of<Placement>())
     study.placements.push_back(study_placement(raycaster, study, placement, stop));

@@ -33,13 +33,14 @@ float mean_of_neighbours(const Volume& volume, int i, int j, int k) {
 
 }  // namespace
 
-std::vector<std::uint8_t> find_empty_cells(const Volume& volume) {
+std::vector<std::uint8_t> find_empty_cells(const Volume& volume, int radius) {
   const glm::ivec3 cells = volume.grid.dims - 1;
   std::vector<std::uint8_t> empty(std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z), 0);
   for_each_hole(volume, [&](int i, int j, int k) {
-    for (int z = std::max(k - 1, 0); z <= std::min(k, cells.z - 1); ++z)
-      for (int y = std::max(j - 1, 0); y <= std::min(j, cells.y - 1); ++y)
-        for (int x = std::max(i - 1, 0); x <= std::min(i, cells.x - 1); ++x)
+    const int below = radius, above = radius - 1;
+    for (int z = std::max(k - below, 0); z <= std::min(k + above, cells.z - 1); ++z)
+      for (int y = std::max(j - below, 0); y <= std::min(j + above, cells.y - 1); ++y)
+        for (int x = std::max(i - below, 0); x <= std::min(i + above, cells.x - 1); ++x)
           empty[std::size_t(x) +
                 std::size_t(cells.x) * (std::size_t(y) + std::size_t(cells.y) * std::size_t(z))] = 1;
   });

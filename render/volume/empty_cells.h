@@ -7,8 +7,9 @@
 
 namespace crest {
 
-/// For each cell, x fastest, (dims-1) of them: 1 where one of its corners is NaN or Inf, so that it is empty.
-std::vector<std::uint8_t> find_empty_cells(const Volume& volume);
+/// For each cell, x fastest, (dims-1) of them: 1 where it is empty, since one of its corners is NaN or Inf;
+/// for a filter of radius 2, also one of the points around these, so that no sample is made from a stand-in.
+std::vector<std::uint8_t> find_empty_cells(const Volume& volume, int radius = 1);
 
 /// The values with finite stand-ins (the mean of a voxel's finite neighbours, or the least value) for those
 /// that are not: filtering multiplies even a NaN of weight 0.

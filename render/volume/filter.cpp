@@ -1,5 +1,7 @@
 #include "render/volume/filter.h"
 
+#include <algorithm>
+
 namespace crest {
 namespace {
 
@@ -27,6 +29,12 @@ FieldFilter root_filter(const Rendering& rendering) {
 
 int radius_of(const FieldFilter& filter) {
   return filter.kind == Filter::bspline || filter.kind == Filter::bc ? 2 : 1;
+}
+
+int support_radius(const Rendering& rendering) {
+  const int dvr = radius_of(dvr_filter(rendering)), root = radius_of(root_filter(rendering));
+  if (rendering.mode == Mode::dvr_only) return dvr;
+  return rendering.mode == Mode::peak_only ? root : std::max(dvr, root);
 }
 
 std::array<CubicWeight, 4> filter_weights(const FieldFilter& filter) {

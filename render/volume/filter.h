@@ -22,6 +22,9 @@ FieldFilter root_filter(const Rendering& rendering);
 /// points i and i+1 is made from points i+1-radius .. i+radius, those beyond the grid's ends being its end
 /// points (as a texture is clamped to its edge). 1 or 2.
 int radius_of(const FieldFilter& filter);
+/// The greatest radius of the filters that the mode samples with: a cell is empty if one of the points that
+/// it reaches has no value.
+int support_radius(const Rendering& rendering);
 
 /// A weight as a polynomial of the place u in [0, 1] between two points: w[0] + w[1] u + w[2] u^2 + w[3] u^3.
 using CubicWeight = std::array<double, 4>;

@@ -76,6 +76,21 @@ TEST(Methods, AreMeasuredWithoutShadingAndEarlyTermination) {
   EXPECT_EQ(chosen.early_termination, 0.01);
 }
 
+// The filters are the scene's, each with an exact answer of its own; a method that sets one of another field
+// has none there.
+TEST(Methods, AreOfTheScenesOwnField) {
+  Scene scene = scene_with_peak(0.5);
+  scene.rendering.filter = Filter::bspline;
+  EXPECT_EQ(measured_rendering(*find_method("xor"), 1, scene.rendering).filter, Filter::bspline);
+  EXPECT_NE(why_left_out(*find_method("dvr-linear-exact"), scene), "");
+  EXPECT_EQ(why_left_out(*find_method("xor"), scene), "");
+  scene.rendering.filter = Filter::linear;
+  EXPECT_EQ(why_left_out(*find_method("dvr-linear-exact"), scene), "");
+  scene.rendering.root_filter = Filter::bspline;
+  EXPECT_EQ(why_left_out(*find_method("dvr-linear-exact"), scene), "") << "no surface shows";
+  EXPECT_NE(why_left_out(*find_method("xor-linear-exact"), scene), "");
+}
+
 TEST(Methods, PeaksNeedASurfaceInTheVolume) {
   const Scene with = scene_with_peak(0.5), without = scene_with_peak(3);
   for (const Method& method : methods()) {

@@ -106,5 +106,22 @@ TEST(SetField, RefusesWrongValues) {
   EXPECT_EQ(error_of("version=2"), "version: 2 is not 1, the version that this program reads");
 }
 
+TEST(AssignmentsBetween, MakeOneRenderingOfAnother) {
+  Rendering other;
+  other.mode = Mode::peak_only;
+  other.step = 0.1;
+  other.background = {0, 0.5, 1};
+  other.clip_box = ClipBox{{0, 0, 0}, {1, 2, 3}, ""};
+  EXPECT_TRUE(assignments_between(other, other).empty());
+  for (const auto& [from, to] : {std::pair(Rendering{}, other), {other, Rendering{}}}) {
+    Preset preset = plain();
+    preset.rendering = from;
+    const auto assignments = assignments_between(from, to);
+    EXPECT_EQ(assignments.size(), 4u);
+    for (const std::string& assignment : assignments) preset = set_field(preset, assignment);
+    EXPECT_EQ(preset.rendering, to);
+  }
+}
+
 }  // namespace
 }  // namespace crest

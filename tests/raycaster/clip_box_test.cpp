@@ -10,13 +10,6 @@
 namespace crest::testing {
 namespace {
 
-double largest_difference(const Image& a, const Image& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    largest = std::max(largest, double(glm::length(a.pixels[i] - b.pixels[i])));
-  return largest;
-}
-
 /// The volume's points from `first` to `last` as a volume of its own, with the whole one's statistics.
 std::shared_ptr<const Volume> cropped(const Volume& whole, glm::ivec3 first, glm::ivec3 last) {
   Volume part;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
@@ -53,6 +55,15 @@ inline Camera along_z(const Grid& grid, double extent) {
   camera.up = {0, 1, 0};
   camera.fov_y_degrees = glm::degrees(2 * std::atan(0.5 * extent / distance));
   return camera;
+}
+
+/// Of two pictures of one size, in any channel of any pixel.
+inline double largest_difference(const Image& a, const Image& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    for (int channel = 0; channel < 4; ++channel)
+      largest = std::max(largest, double(std::abs(a.pixels[i][channel] - b.pixels[i][channel])));
+  return largest;
 }
 
 class RaycasterTest : public ::testing::Test {

@@ -12,14 +12,6 @@ namespace {
 
 using March = RaycasterTest;
 
-double largest_difference(const Image& a, const Image& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int channel = 0; channel < 4; ++channel)
-      largest = std::max(largest, double(std::abs(a.pixels[i][channel] - b.pixels[i][channel])));
-  return largest;
-}
-
 Scene scene_of(const std::string& builtin, const std::string& preset, Mode mode,
                PeakForm form = PeakForm::split) {
   Scene scene = make_scene(std::make_shared<const Volume>(make_builtin(builtin)), load_preset(preset));

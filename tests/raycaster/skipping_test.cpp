@@ -10,13 +10,6 @@
 namespace crest::testing {
 namespace {
 
-float largest_difference(const Image& a, const Image& b) {
-  float largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int c = 0; c < 4; ++c) largest = std::max(largest, std::abs(a.pixels[i][c] - b.pixels[i][c]));
-  return largest;
-}
-
 class Skipping : public RaycasterTest {
  protected:
   void SetUp() override {
@@ -25,7 +18,7 @@ class Skipping : public RaycasterTest {
     raycaster.force(forced);
   }
   /// The most that a pixel of the scene changes with skipping.
-  float difference(Scene scene, const Camera& camera, glm::ivec2 size = {24, 24}) {
+  double difference(Scene scene, const Camera& camera, glm::ivec2 size = {24, 24}) {
     scene.rendering.skipping = true;
     const Image with = render(scene, camera, size);
     EXPECT_TRUE(raycaster.features(scene, false).skipping);

@@ -91,6 +91,17 @@ TEST_F(ReferenceCache, AnyOtherContentIsAnotherPicture) {
       [&] {
         scene.rendering.clip_box = ClipBox{{1, 1, 1}, {2, 2, 2}, {}};
       },
+      [&] { scene.rendering.filter = Filter::bspline; },
+      [&] { scene.rendering.root_filter = Filter::bspline; },
+      [&] { scene.rendering.filter = Filter::bc; },
+      [&] {
+        scene.rendering.filter = Filter::bc;
+        scene.rendering.bc_b = std::nextafter(scene.rendering.bc_b, 1.0);
+      },
+      [&] {
+        scene.rendering.filter = Filter::bc;
+        scene.rendering.bc_c += 1e-15;
+      },
       [&] { camera.eye.x += 1e-13; },
       [&] { camera.target.y += 1e-13; },
       [&] { camera.up.z = 0.5; },
@@ -141,6 +152,10 @@ TEST_F(ReferenceCache, WhatHasNoPartInItChangesNothing) {
   scene.rendering.shading = Shading::gradient;
   scene.rendering.early_termination = 0.1;
   scene.rendering.background = glm::dvec3(1);
+  scene.rendering.filter = Filter::linear_exact;  // the same field
+  scene.rendering.root_filter = Filter::linear;
+  scene.rendering.bc_b = 0.5;  // of another filter
+  scene.rendering.gradient = Gradient::filter;
   scene.volume = wave_volume();
   EXPECT_TRUE(render().from_cache);
 }

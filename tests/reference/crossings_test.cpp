@@ -98,6 +98,19 @@ TEST(ReferenceCrossings, ASmoothTangentIsNone) {
   EXPECT_FALSE(at(0.26, eye, target).grazing);
 }
 
+// However far from zero the field lies.
+TEST(ReferenceCrossings, AnOffsetMakesNoRayGraze) {
+  const double offset = 0x1p19;
+  const auto volume = volume_of({2, 2, 2}, [&](int i, int j, int) { return offset + i * j; });
+  const auto grazes = [&](double v) {
+    return along(scene_of(volume, surfaces_at({offset + v})), {-1, 2, 0.5}, {2, -1, 0.5}, Answer::crossings)
+        .grazing;
+  };
+  EXPECT_TRUE(grazes(0.25));
+  EXPECT_FALSE(grazes(0.2499));
+  EXPECT_FALSE(grazes(0.2501));
+}
+
 // Rays through the points of a lattice, on which the roots are: through vertices, edges and faces.
 TEST(ReferenceCrossings, AtVerticesAndEdges) {
   const auto volume = volume_of({7, 7, 7}, [](int i, int j, int k) { return i + 2 * j + 3 * k; });

@@ -55,6 +55,17 @@ TEST(ReferencePicture, RefusesWhatIsNoPicture) {
   EXPECT_THROW(render_reference(scene, blind, {8, 8}, Answer::integral), Error);
 }
 
+// A clip box beside the volume leaves nothing of it, also where it is beside it on one axis alone.
+TEST(ReferencePicture, NothingLiesInAClipBoxBesideTheVolume) {
+  Scene scene = library_scene("sphere?n=9", "smooth-haze");
+  const Camera camera = whole_volume_camera(scene.volume->grid);
+  for (const double beside : {1.01, 1.5, 5.0}) {
+    scene.rendering.clip_box = ClipBox{{beside, -1, -1}, {beside + 1, 1, 1}, {}};
+    for (const glm::dvec4& pixel : render_reference(scene, camera, {32, 32}, Answer::integral).pixels)
+      ASSERT_EQ(pixel, glm::dvec4(0)) << beside;
+  }
+}
+
 // The numbers are printed: what a renderer in 32-bit float cannot do better than, whatever its sampling.
 TEST(ReferencePicture, WhatFloatCosts) {
   for (const auto& [volume, preset] : {std::pair("plume?n=24", "dirac-shell"),

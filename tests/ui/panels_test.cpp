@@ -91,6 +91,39 @@ TEST_F(Panels, TheClassificationTakesItsPlacement) {
   EXPECT_EQ(rendering.classification, ClassificationMethod::preintegrated);
 }
 
+TEST_F(Panels, TheFiltersAreChosen) {
+  click("tab/Rendering");
+  Rendering& rendering = document.preset.rendering;
+  for (const auto& [filter, name] : names_of<Filter>()) {
+    click("##filter");
+    click("##filter/" + std::string(name));
+    EXPECT_EQ(rendering.filter, filter);
+    EXPECT_EQ(rendering.root_filter, std::nullopt);
+    frame();
+    EXPECT_EQ(has("##bc b"), filter == Filter::bc) << "B and C only where a filter has them";
+  }
+  type("##bc b", "2");
+  type("##bc c", "11");
+  EXPECT_EQ(rendering.bc_b, 2);
+  EXPECT_EQ(rendering.bc_c, 10);
+  click("##root filter");
+  click("##root filter/linear_exact");
+  EXPECT_EQ(rendering.root_filter, Filter::linear_exact);
+  click("##root filter");
+  click("##root filter/same");
+  EXPECT_EQ(rendering.root_filter, std::nullopt);
+}
+
+TEST_F(Panels, TheGradientIsChosenWhereThereIsShading) {
+  click("tab/Rendering");
+  EXPECT_FALSE(has("##gradient"));
+  document.preset.rendering.shading = Shading::gradient;
+  frame();
+  click("##gradient");
+  click("##gradient/filter");
+  EXPECT_EQ(document.preset.rendering.gradient, Gradient::filter);
+}
+
 TEST_F(Panels, ThePlacementIsChosen) {
   click("tab/Rendering");
   for (const auto& [placement, name] : names_of<Placement>()) {

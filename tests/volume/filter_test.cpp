@@ -7,22 +7,13 @@
 #include <random>
 
 #include "render/volume/filter_bounds.h"
+#include "tests/raycaster/reconstruct.h"
 
 namespace crest {
 namespace {
 
 double value_at(const CubicWeight& w, double u) { return w[0] + u * (w[1] + u * (w[2] + u * w[3])); }
 double slope_at(const CubicWeight& w, double u) { return w[1] + u * (2 * w[2] + u * 3 * w[3]); }
-
-/// Mitchell and Netravali's kernel as they print it (1988, eq. 8).
-double kernel(double b, double c, double x) {
-  x = std::abs(x);
-  if (x < 1) return ((12 - 9 * b - 6 * c) * x * x * x + (-18 + 12 * b + 6 * c) * x * x + (6 - 2 * b)) / 6;
-  if (x < 2)
-    return ((-b - 6 * c) * x * x * x + (6 * b + 30 * c) * x * x + (-12 * b - 48 * c) * x + (8 * b + 24 * c)) /
-           6;
-  return 0;
-}
 
 const FieldFilter all_filters[] = {{Filter::linear},   {Filter::linear_exact}, {Filter::bspline},
                                    {Filter::bc, 1, 0}, {Filter::bc, 0, 0.5},   {Filter::bc, 1.0 / 3, 1.0 / 3},
@@ -35,7 +26,8 @@ TEST(FilterWeights, AreTheKernelAtTheFourDistances) {
     const auto weights = filter_weights(filter);
     for (double u = 0; u <= 1; u += 1.0 / 64)
       for (int i = 0; i < 4; ++i)
-        EXPECT_NEAR(value_at(weights[std::size_t(i)], u), kernel(b, filter.c, u + 1 - i), 1e-13);
+        EXPECT_NEAR(value_at(weights[std::size_t(i)], u), testing::cubic_kernel(b, filter.c, u + 1 - i),
+                    1e-13);
   }
 }
 

@@ -59,15 +59,15 @@ function drawOrders() {
 
 function fillPlaneTable() {
   const rows = data.plane.series.map((s) => [
-    s.field, s.sum === "paper" ? "eq. (6)" : "1 − exp", s.placement,
+    s.field, s.sum === "paper" ? "eq.\u00a0(6)" : "1\u00a0−\u00a0exp", s.placement,
     ...figureRates.flatMap((rate) => {
       const e = runOf(s, rate).errors;
       return [{number: error(e.max)}, {number: error(e.rms)}];
     }),
     {number: order(s.max_order)}, {number: order(s.rms_order)}, {number: String(runOf(s, 1).errors.unsampled)}]);
   fillTable(byId("plane"), ["Field", "Sum", "Placement", ...figureRates.flatMap((rate) => [{number: `max, rate ${rate}`}, {number: "RMS"}]),
-                            {number: "order, max"}, {number: "RMS"}, {number: "rays without a sample, rate 1"}], rows);
-  byId("plane-note").textContent = `Errors of the paper's ${data.plane.rays} rays, where they meet the square. Orders are fitted over rates 1, 2, 4, … 64 of a fan of ` +
+                            {number: "order, max"}, {number: "RMS"}, {number: "unsampled"}], rows);
+  byId("plane-note").textContent = `Errors of the paper's ${data.plane.rays} rays, where they meet the square; "unsampled": those of them without a sample at rate 1. Orders are fitted over rates 1, 2, 4, … 64 of a fan of ` +
       `${data.plane.dense_rays} rays, in which the worst ray is no matter of chance; “–”: the error is that of rounding, below 10⁻¹².`;
 }
 

@@ -1,35 +1,26 @@
 // The table of `crest stability`, group by group.
-{
-  const stability = data;
-  const number = x => x === null ? 'not finite' : Number(x.toPrecision(2)).toString();
-  const failed = stability.rows.filter(row => row.verdict === 'FAIL').length;
-  const limited = stability.rows.filter(row => row.verdict === 'limited').length;
-  document.getElementById('subject').textContent = stability.renderer;
-  document.getElementById('summary').textContent =
-      `${stability.rows.length} cases: ${failed} do not keep their bound, ${limited} keep a measured limit of 32-bit float instead.`;
-  const body = document.querySelector('#rows tbody');
-  let group = '';
-  for (const row of stability.rows) {
-    if (row.group !== group) {
-      group = row.group;
-      const head = body.insertRow().insertCell();
-      head.colSpan = 7;
-      head.innerHTML = '<h3></h3>';
-      head.firstChild.textContent = group;
-    }
-    const line = body.insertRow();
-    const picture = line.insertCell();
-    if (row.picture) {
-      const image = document.createElement('img');
-      image.src = row.picture;
-      image.width = image.height = 48;
-      image.alt = row.case;
-      picture.append(image);
-    }
-    const limit = row.limit ? `${row.limit.why}: at most ${number(row.limit.bound)}` : '';
-    const texts = [row.case, row.quantity + (row.worst_at ? ` (worst at ${row.worst_at})` : ''), row.truth, number(row.bound),
-                   number(row.measured), row.verdict === 'limited' ? `limited. ${limit}` : row.verdict];
-    for (const text of texts) line.insertCell().textContent = text;
-    if (row.verdict === 'FAIL') line.style.fontWeight = 'bold';
-  }
+
+function count(verdict) { return data.rows.filter((row) => row.verdict === verdict).length; }
+
+function verdictOf(row) {
+  const text = row.verdict === "limited" ? `limited: ${row.limit.why}, at most ${number(row.limit.bound)}` : row.verdict;
+  return element("span", {class: row.verdict === "pass" ? "met" : "never"}, text);
 }
+
+function cellsOf(row) {
+  return [row.picture ? element("img", {class: "picture", style: "width: 48px", src: row.picture, alt: row.case}) : "",
+          row.case, row.quantity + (row.worst_at ? ` (worst at ${row.worst_at})` : ""), row.truth, {number: number(row.bound)},
+          {number: row.measured === null ? "not finite" : number(row.measured)}, verdictOf(row)];
+}
+
+function panelOf(group) {
+  const table = element("table");
+  fillTable(table, ["", "Case", "What is compared", "Truth", {number: "Bound"}, {number: "Measured"}, "Verdict"],
+            data.rows.filter((row) => row.group === group).map(cellsOf));
+  return element("section", {}, element("h2", {}, group), element("div", {class: "panel scroll"}, table));
+}
+
+byId("subject").textContent = data.renderer;
+byId("summary").textContent =
+    `${data.rows.length} cases: ${count("FAIL")} do not keep their bound, ${count("limited")} keep a measured limit of 32-bit float instead.`;
+byId("groups").append(...[...new Set(data.rows.map((row) => row.group))].map(panelOf));

@@ -1,0 +1,120 @@
+// What each feature of the ray caster costs: frames of a scene that needs it, and of one that does not, with
+// the feature forced in and left out, in turn in one run. Time is that of the frame without it; the columns
+// are ratios to that, the medians over all rounds. `again` is that frame against itself: what the run itself
+// varies by. `samples` is the ratio of the field evaluations where the feature is needed.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <optional>
+
+#include "app/offscreen_context.h"
+#include "render/camera.h"
+#include "render/measure/timing.h"
+#include "render/raycaster/raycaster.h"
+#include "tests/benchmark/feature_cases.h"
+
+namespace crest::bench {
+namespace {
+
+constexpr glm::ivec2 size{128, 128};
+
+/// A frame with a ray caster of its own, so that it keeps its textures and tables.
+class Contestant {
+ public:
+  explicit Contestant(const Frame& frame)
+      : scene_(frame.scene), camera_(whole_volume_camera(scene_.volume->grid)), target_(size, frame.counts) {
+    raycaster_.force(frame.forced);
+    draw_ms();  // uploads and compiles
+  }
+  double draw_ms() {
+    return finished_ms([&] { raycaster_.draw(scene_, camera_, target_); });
+  }
+  double samples() {
+    gl::RenderTarget counted(size, true);
+    return raycaster_.draw_counted(scene_, camera_, counted).samples;
+  }
+
+ private:
+  Scene scene_;
+  Camera camera_;
+  gl::RenderTarget target_;
+  Raycaster raycaster_;
+};
+
+/// The other features that come with it, or go.
+std::string features_that_differ(const FeatureCase& c) {
+  const auto needed = need_of(c.needed, size).list.in, left_out = need_of(c.left_out, size).list.in;
+  std::string text;
+  const auto add = [&](char sign, const auto& features, const auto& without) {
+    for (const std::string& feature : features)
+      if (feature != c.feature && std::ranges::find(without, feature) == without.end())
+        text += std::string(text.empty() ? "" : " ") + sign + feature;
+  };
+  add('+', needed, left_out);
+  add('-', left_out, needed);
+  return text;
+}
+
+void compete(benchmark::State& state, const FeatureCase& c) {
+  Contestant left_out(c.left_out), needed(c.needed);
+  std::optional<Contestant> forced_in;
+  if (c.forced_in) forced_in.emplace(*c.forced_in);
+  std::vector<std::pair<const char*, Contestant*>> lineup{{"again", &left_out}, {"needed", &needed}};
+  if (forced_in) lineup.emplace_back("forced_in", &*forced_in);
+  lineup.emplace_back("left_out", &left_out);
+
+  std::map<std::string, std::vector<double>> ratios;
+  std::size_t round = 0;
+  for (auto _ : state) {
+    std::map<std::string, double> ms;
+    for (std::size_t i = 0; i < lineup.size(); ++i) {
+      const auto& [name, contestant] = lineup[(round + i) % lineup.size()];
+      ms[name] = contestant->draw_ms();
+    }
+    for (const auto& [name, time] : ms) ratios[name].push_back(time / ms["left_out"]);
+    state.SetIterationTime(1e-3 * ms["left_out"]);
+    ++round;
+  }
+  for (auto& [name, values] : ratios)
+    if (name != "left_out") state.counters[name] = median(values);
+  state.counters["samples"] = needed.samples() / left_out.samples();
+  state.SetLabel(features_that_differ(c));
+}
+
+int run(int argc, char** argv) {
+  std::vector<char*> arguments(argv, argv + argc);
+  char tabular[] = "--benchmark_counters_tabular=true";
+  arguments.insert(arguments.begin() + 1, tabular);
+  int count = int(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 1;
+
+  const OffscreenContext context;
+  const std::vector<FeatureCase> cases = feature_cases();
+  if (const std::string fault = fault_of(cases, size); !fault.empty()) {
+    std::fprintf(stderr, "bench_features: %s\n", fault.c_str());
+    return 1;
+  }
+  benchmark::AddCustomContext("renderer", context.renderer());
+  for (const FeatureCase& c : cases)
+    benchmark::RegisterBenchmark(c.feature.c_str(), [&c](benchmark::State& state) { compete(state, c); })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::ClearRegisteredBenchmarks();
+  return 0;
+}
+
+}  // namespace
+}  // namespace crest::bench
+
+int main(int argc, char** argv) {
+  try {
+    return crest::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_features: %s\n", error.what());
+    return 1;
+  }
+}
