@@ -54,7 +54,7 @@ function chartOf(answer, measure, clock) {
         ...place(p), tip: () => pointTip(p, answer), onFront: clock === "frame_ms" && front.includes(p),
         chosen: data.points[answer.cheapest] === p, click: () => showPicture(p)}))}))
       .filter((s) => s.points.length);
-  if (!series.length) return element("p", {class: "soft"}, "No method here has crossings.");
+  if (!series.length) return element("p", {class: "soft"}, "Nothing is compared here: no method has crossings, or no pixel shows anything.");
   return logLogChart({series, xTitle: `time of a frame in ms (${clocks[clock]})`, yTitle: measure.name,
                       target: measure.id === target.measure ? {y: target.most, text: "target"} : null,
                       front: clock === "frame_ms" ? front.map(place) : []});
@@ -84,11 +84,16 @@ function fillHeader() {
     byId("notices").append(element("div", {class: "panel notice"}, `Stopped by hand after ${data.points.length} points: what was measured until then is here.`));
 }
 
+function isEmpty(answer) {
+  return data.points.every((p) => !(errorAgainst(p, answer.name)?.compared.pixels > 0));
+}
+
 function recommendationOf(answer) {
   const head = `against ${answer.name}${answer.own ? ", the scene's own mode" : ""}`;
   if (answer.cheapest === null)
     return element("div", {class: "panel"}, element("h3", {class: "soft"}, head),
-                   element("div", {class: answer.own ? "lead never" : "never"}, "never reached by what was measured"));
+                   element("div", {class: answer.own ? "lead never" : "never"},
+                           isEmpty(answer) ? "nothing to recommend: no pixel that could be compared shows anything" : "never reached by what was measured"));
   const point = data.points[answer.cheapest];
   return element("div", {class: "panel"}, element("h3", {class: "soft"}, head),
                  element("div", {class: answer.own ? "lead" : ""}, `${pointTitle(point)}: ${ms(point.frame_ms)} a frame`),
@@ -159,7 +164,7 @@ function fillMethod() {
     `It took ${number(data.seconds)} s, of these ${number(data.reference_seconds)} s for the exact answers` +
         (s.budget_seconds === null ? "; there was no budget." : `; the budget was ${number(s.budget_seconds)} s.`),
     `A frame's time is the median of ${s.frames} frames (more of short ones, 3 where one takes over a second). The points of a group were drawn turn by turn, together with the sweep's ` +
-        `first point, whose median lay between ${ms(Math.min(...anchors))} and ${ms(Math.max(...anchors))} in the groups: so far the machine drifted.`,
+        `first point, whose median lay between ${ms(Math.min(...anchors))} and ${ms(Math.max(...anchors))} in the groups: so far the machine drifted, which is taken out of the times shown.`,
     "Shading has no exact answer, and early termination adds an error of its own: both are off, for the times as for the errors.",
     `Errors are over premultiplied RGBA, on the pixels where either picture has alpha > 0. Pixels whose ray grazes a surface within the rounding of 32-bit float are left out: ` +
         `at most ${percent(grazing)} of them here.`,
