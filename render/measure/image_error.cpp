@@ -69,12 +69,18 @@ double share_of_exact(const ImageError& error, double ImageError::Crossings::*co
   return *error.crossings.*count / std::max(error.crossings->exact, 1.0);
 }
 
+double of_pixels(const ImageError& error, double PixelErrors::*value) {
+  return error.compared.pixels > 0 ? error.compared.*value : std::numeric_limits<double>::quiet_NaN();
+}
+
 constexpr ErrorMeasure measures[] = {
-    {"share", "share of pixels off by more than 1/255", [](const ImageError& e) { return e.compared.share; }},
-    {"rmse", "root mean square error", [](const ImageError& e) { return e.compared.rmse; }},
-    {"max", "largest error", [](const ImageError& e) { return e.compared.max; }},
-    {"p999", "99.9th percentile of the error", [](const ImageError& e) { return e.compared.p999; }},
-    {"flip", "mean FLIP", [](const ImageError& e) { return e.compared.flip; }},
+    {"share", "share of pixels off by more than 1/255",
+     [](const ImageError& e) { return of_pixels(e, &PixelErrors::share); }},
+    {"rmse", "root mean square error", [](const ImageError& e) { return of_pixels(e, &PixelErrors::rmse); }},
+    {"max", "largest error", [](const ImageError& e) { return of_pixels(e, &PixelErrors::max); }},
+    {"p999", "99.9th percentile of the error",
+     [](const ImageError& e) { return of_pixels(e, &PixelErrors::p999); }},
+    {"flip", "mean FLIP", [](const ImageError& e) { return of_pixels(e, &PixelErrors::flip); }},
     {"missed", "crossings missed, of all",
      [](const ImageError& e) { return share_of_exact(e, &ImageError::Crossings::missed); }},
     {"invented", "crossings invented, of all",

@@ -56,7 +56,7 @@ struct ErrorMeasure {
 
 /// share, rmse, max, p999, flip, missed, invented: one table for the command line, the files and the studio.
 /// Missed and invented crossings count as a share of the exact picture's; they are NaN where they are not
-/// known.
+/// known, as the others are where no pixel is compared.
 std::span<const ErrorMeasure> error_measures();
 
 /// What is asked of a picture: at most so much error, in one measure.

@@ -114,6 +114,14 @@ TEST(TargetError, IsReadAndWritten) {
     EXPECT_THROW(parse_target(wrong), Error) << wrong;
 }
 
+TEST(TargetError, IsNotMetWhereNothingIsCompared) {
+  const Image empty = filled({4, 4}, glm::vec4(0));
+  const ImageError error = image_error(as_exact(empty), empty, {}, black);
+  EXPECT_EQ(error.compared.pixels, 0u);
+  for (const ErrorMeasure& measure : error_measures()) EXPECT_TRUE(std::isnan(measure.value(error)));
+  EXPECT_FALSE(default_target().is_met(error));
+}
+
 TEST(TargetError, ReadsItsMeasure) {
   ImageError error;
   error.compared = {.pixels = 10, .rmse = 0.1, .max = 0.2, .p999 = 0.3, .share = 0.4, .flip = 0.5};

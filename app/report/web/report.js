@@ -54,7 +54,7 @@ function chartOf(answer, measure, clock) {
         ...place(p), tip: () => pointTip(p, answer), onFront: clock === "frame_ms" && front.includes(p),
         chosen: data.points[answer.cheapest] === p, click: () => showPicture(p)}))}))
       .filter((s) => s.points.length);
-  if (!series.length) return element("p", {class: "soft"}, "No method here has crossings.");
+  if (!series.length) return element("p", {class: "soft"}, "Nothing is compared here: no method has crossings, or no pixel shows anything.");
   return logLogChart({series, xTitle: `time of a frame in ms (${clocks[clock]})`, yTitle: measure.name,
                       target: measure.id === target.measure ? {y: target.most, text: "target"} : null,
                       front: clock === "frame_ms" ? front.map(place) : []});
@@ -84,11 +84,16 @@ function fillHeader() {
     byId("notices").append(element("div", {class: "panel notice"}, `Stopped by hand after ${data.points.length} points: what was measured until then is here.`));
 }
 
+function isEmpty(answer) {
+  return data.points.every((p) => !(errorAgainst(p, answer.name)?.compared.pixels > 0));
+}
+
 function recommendationOf(answer) {
   const head = `against ${answer.name}${answer.own ? ", the scene's own mode" : ""}`;
   if (answer.cheapest === null)
     return element("div", {class: "panel"}, element("h3", {class: "soft"}, head),
-                   element("div", {class: answer.own ? "lead never" : "never"}, "never reached by what was measured"));
+                   element("div", {class: answer.own ? "lead never" : "never"},
+                           isEmpty(answer) ? "nothing to recommend: no pixel that could be compared shows anything" : "never reached by what was measured"));
   const point = data.points[answer.cheapest];
   return element("div", {class: "panel"}, element("h3", {class: "soft"}, head),
                  element("div", {class: answer.own ? "lead" : ""}, `${pointTitle(point)}: ${ms(point.frame_ms)} a frame`),
