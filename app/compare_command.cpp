@@ -22,6 +22,7 @@ struct LabelledPicture {
   Image image;
   std::string label;
   nlohmann::ordered_json statistics;
+  std::vector<std::string> warnings;
 };
 
 struct Comparison {
@@ -46,16 +47,19 @@ Image grid_of(const std::vector<LabelledPicture>& pictures, glm::vec3 background
   return grid;
 }
 
-Comparison compare_by_raycaster(const std::vector<Scene>& scenes, const Camera& camera,
-                                const PictureOptions& options) {
+Comparison compare_on_gpu(const std::vector<Scene>& scenes, const Camera& camera,
+                          const PictureOptions& options) {
   const OffscreenContext context(options.device);
-  Raycaster raycaster;
-  auto measured = measure_pictures(raycaster, scenes, camera, options.pixels(), options.frames, options.json);
+  Renderer renderer;
+  auto measured = measure_pictures(renderer, scenes, camera, options.pixels(), options.frames, options.json);
   Comparison comparison{{}, context.renderer()};
   auto& pictures = comparison.pictures;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    pictures.push_back({std::move(measured[i].image), std::string(name_of(scenes[i].rendering.mode)), {}});
-    if (options.json) pictures.back().statistics = statistics_json(measured[i], raycaster, scenes[i]);
+    const Rendering& rendering = scenes[i].rendering;
+    pictures.push_back(
+        {std::move(measured[i].image), std::string(name_of(rendering.mode)), {}, measured[i].warnings});
+    if (rendering.engine == Engine::vdls) pictures.back().label += ": vdls";
+    if (options.json) pictures.back().statistics = statistics_json(measured[i], renderer, scenes[i]);
   }
   return comparison;
 }
@@ -68,7 +72,7 @@ Comparison compare_exactly(const std::vector<Scene>& scenes, const Camera& camer
     comparison.pictures.push_back(
         {exact[i].reference.image(),
          fmt::format("{}: {}", name_of(scenes[i].rendering.mode), name_of(exact[i].answer)),
-         statistics_json(exact[i], scenes[i])});
+         statistics_json(exact[i], scenes[i]), exact[i].warnings});
   return comparison;
 }
 
@@ -81,12 +85,16 @@ void compare_modes(const CompareOptions& options) {
   std::vector<Scene> scenes;
   for (const Mode mode : view_modes) {
     scenes.push_back(make_scene(volume, preset));
-    scenes.back().rendering.mode = mode;
+    scenes.back().rendering = in_mode(scenes.back().rendering, mode);
   }
-  const auto compare = preset.rendering.engine == Engine::reference ? compare_exactly : compare_by_raycaster;
+  const auto compare = preset.rendering.engine == Engine::reference ? compare_exactly : compare_on_gpu;
   Comparison comparison = compare(scenes, camera_of(preset, *volume), options.picture);
   write_image(options.picture.output, grid_of(comparison.pictures, preset.rendering.background),
               preset.rendering.background);
+  std::vector<std::string> warnings;
+  for (const auto& picture : comparison.pictures)
+    warnings.insert(warnings.end(), picture.warnings.begin(), picture.warnings.end());
+  print_warnings(warnings);
   if (!options.picture.json) return;
   nlohmann::ordered_json json;
   for (auto& picture : comparison.pictures) json["modes"].push_back(std::move(picture.statistics));

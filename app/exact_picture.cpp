@@ -13,6 +13,7 @@
 #include "presets/error.h"
 #include "presets/names.h"
 #include "render/classify/classification.h"
+#include "render/raycaster/limits.h"
 
 namespace crest {
 namespace {
@@ -40,6 +41,11 @@ std::vector<ExactPicture> render_exact_pictures(const std::vector<Scene>& scenes
   ProgressBar bar;
   std::vector<ExactPicture> pictures;
   for (const Scene& scene : scenes) {
+    if (const auto illumination = scene.rendering.illumination;
+        illumination != Illumination::semi_transparent)
+      throw Error(
+          fmt::format("the exact answer is that of semi_transparent, and rendering.illumination is {}",
+                      name_of(illumination)));
     const Answer answer = answers_of(scene.rendering).front();
     const std::string doing = fmt::format("exact answer {}", name_of(answer));
     const auto progress = [&](double done) {
@@ -51,7 +57,8 @@ std::vector<ExactPicture> render_exact_pictures(const std::vector<Scene>& scenes
       auto [reference, from_cache] = render_reference_cached(
           cache_folder(), default_cache_bytes, scene, camera, size, answer, default_tolerance, progress);
       const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
-      pictures.push_back({answer, std::move(reference), taken.count(), from_cache});
+      pictures.push_back(
+          {answer, std::move(reference), taken.count(), from_cache, volume_warnings(*scene.volume)});
     } catch (const Cancelled&) {
       throw Error(fmt::format("stopped; {} was not written", output));
     }
@@ -73,6 +80,7 @@ nlohmann::ordered_json statistics_json(const ExactPicture& picture, const Scene&
   json["grazing_share"] = double(std::ranges::count(exact.grazing, 1)) / pixels;
   json["peaks"] = peaks_json(classify(scene.tf, surface_range(scene)).surfaces);
   for (const auto& [setting, why] : without_part) json["left_out"][setting] = why;
+  json["warnings"] = picture.warnings;
   return json;
 }
 

@@ -1,33 +1,44 @@
 #include "app/picture.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "presets/names.h"
 #include "render/measure/timing.h"
+#include "render/raycaster/limits.h"
 
 namespace crest {
 
-std::vector<MeasuredPicture> measure_pictures(Raycaster& raycaster, const std::vector<Scene>& scenes,
+std::vector<MeasuredPicture> measure_pictures(Renderer& renderer, const std::vector<Scene>& scenes,
                                               const Camera& camera, glm::ivec2 size, int frames,
                                               bool count_costs) {
   std::vector<MeasuredPicture> pictures(scenes.size());
   gl::RenderTarget target(size, false);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    pictures[i].first_frame_ms = finished_ms([&] { raycaster.draw(scenes[i], camera, target); });
+    pictures[i].first_frame_ms = finished_ms([&] { renderer.draw(scenes[i], camera, target); });
     pictures[i].image = target.read_color();
-    pictures[i].need = raycaster.need(scenes[i], camera, size, false);
+    pictures[i].need = renderer.need(scenes[i], camera, size);
+    pictures[i].warnings = scene_warnings(scenes[i], camera, size);
   }
   for (int frame = 1; frame < frames; ++frame)
     for (std::size_t i = 0; i < scenes.size(); ++i)
-      pictures[i].frame_ms.push_back(finished_ms([&] { raycaster.draw(scenes[i], camera, target); }));
+      pictures[i].frame_ms.push_back(finished_ms([&] { renderer.draw(scenes[i], camera, target); }));
   for (auto& picture : pictures)
     if (picture.frame_ms.empty()) picture.frame_ms = {picture.first_frame_ms};
   if (count_costs) {
     gl::RenderTarget counted(size, true);
     for (std::size_t i = 0; i < scenes.size(); ++i)
-      pictures[i].counts = raycaster.draw_counted(scenes[i], camera, counted);
+      pictures[i].counts = sum_of(renderer.draw_counts(scenes[i], camera, counted));
   }
   return pictures;
+}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (auto warning = warnings.begin(); warning != warnings.end(); ++warning)
+    if (std::find(warnings.begin(), warning, *warning) == warning)
+      fmt::print(stderr, "crest: warning: {}\n", *warning);
 }
 
 nlohmann::ordered_json peaks_json(const std::vector<Peak>& surfaces) {
@@ -40,24 +51,23 @@ nlohmann::ordered_json peaks_json(const std::vector<Peak>& surfaces) {
 namespace {
 
 /// What a picture needs of the device, and what was left out of it.
-void add_need(nlohmann::ordered_json& json, const Need& need, const Scene& scene,
-              const Classification& classification) {
-  json["features"] = need.list.in;
-  for (const auto& [name, why] : need.list.left_out) json["left_out"][name] = why;
-  json["notes"] = need.list.notes;
+void add_need(nlohmann::ordered_json& json, const PictureNeed& need) {
+  json["features"] = need.features.in;
+  for (const auto& [name, why] : need.features.left_out) json["left_out"][name] = why;
+  json["notes"] = need.features.notes;
   json["tables"] = nlohmann::ordered_json::object();
-  for (const GpuData& data : gpu_data(need, *scene.volume, classification))
+  for (const GpuData& data : need.gpu_data)
     json["tables"][data.name] = {{"size", data.size}, {"bytes", data.bytes}};
-  if (need.features.dvr) json["tables"]["transfer_function"]["error"] = need.tf_table.error;
+  if (need.tf_error) json["tables"]["transfer_function"]["error"] = *need.tf_error;
 }
 
 }  // namespace
 
-nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Raycaster& raycaster,
+nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Renderer& renderer,
                                        const Scene& scene) {
   const RenderCounts& counts = picture.counts;
   const double hit_pixels = std::max(counts.hit_pixels, 1.0);
-  const auto& classification = raycaster.classification(scene);
+  const auto& classification = renderer.classification(scene);
   nlohmann::ordered_json json;
   json["mode"] = name_of(scene.rendering.mode);
   json["frame_ms"] = median(picture.frame_ms);
@@ -71,7 +81,8 @@ nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Raycaster
   json["dvr_samples_per_hit_ray"] = counts.dvr_samples / hit_pixels;
   json["hit_rays"] = counts.hit_pixels;
   json["peaks"] = peaks_json(classification.surfaces);
-  add_need(json, picture.need, scene, classification);
+  add_need(json, picture.need);
+  json["warnings"] = picture.warnings;
   return json;
 }
 

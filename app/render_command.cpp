@@ -22,18 +22,20 @@ void print_statistics(nlohmann::ordered_json json, const std::string& renderer) 
   fmt::print("{}\n", json.dump(2));
 }
 
-void render_by_raycaster(const Scene& scene, const Camera& camera, const PictureOptions& options) {
+void render_on_gpu(const Scene& scene, const Camera& camera, const PictureOptions& options) {
   const OffscreenContext context(options.device);
-  Raycaster raycaster;
+  Renderer renderer;
   const auto picture =
-      measure_pictures(raycaster, {scene}, camera, options.pixels(), options.frames, options.json)[0];
+      measure_pictures(renderer, {scene}, camera, options.pixels(), options.frames, options.json)[0];
   write_image(options.output, picture.image, scene.rendering.background);
-  if (options.json) print_statistics(statistics_json(picture, raycaster, scene), context.renderer());
+  print_warnings(picture.warnings);
+  if (options.json) print_statistics(statistics_json(picture, renderer, scene), context.renderer());
 }
 
 void render_exactly(const Scene& scene, const Camera& camera, const PictureOptions& options) {
   const auto picture = render_exact_pictures({scene}, camera, options.pixels(), options.output)[0];
   write_image(options.output, picture.reference.image(), scene.rendering.background);
+  print_warnings(picture.warnings);
   if (options.json) print_statistics(statistics_json(picture, scene), exact_renderer);
 }
 
@@ -41,7 +43,7 @@ void render_picture(const RenderOptions& options) {
   options.picture.pixels();  // a wrong size is found before any work
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
   const Preset preset = options.scene.read_preset(*volume);
-  const auto render = preset.rendering.engine == Engine::reference ? render_exactly : render_by_raycaster;
+  const auto render = preset.rendering.engine == Engine::reference ? render_exactly : render_on_gpu;
   render(make_scene(volume, preset), camera_of(preset, *volume), options.picture);
 }
 

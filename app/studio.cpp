@@ -83,7 +83,7 @@ void Studio::take_loaded_volume() {
   if (!loading_.valid() || loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   try {
     Loaded fresh = loading_.get();
-    views_.raycaster().classification(
+    views_.renderer().classification(
         make_scene(fresh.volume, document_.preset));  // the driver must hold it, too
     loaded_ = std::move(fresh);
     if (!loading_for_undo_) document_.volume_source = loaded_.source;
@@ -148,7 +148,7 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.save_preset) save_preset_to(*requests.save_preset);
   if (requests.open_volume) start_loading(*requests.open_volume);
   if (requests.reload_shaders) {
-    views_.raycaster().reload_shaders();
+    views_.renderer().reload_shaders();
     views_.invalidate();
   }
   if (requests.measure) *requests.measure ? sweep_.switch_on() : sweep_.switch_off();
@@ -166,7 +166,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   for (int i = 0; i < view_count; ++i) inputs.views[std::size_t(i)] = views_.picture(i);
   if (!loaded_.volume) return inputs;
   const Scene scene = make_scene(loaded_.volume, document_.preset);
-  const Classification& classification = views_.raycaster().classification(scene);
+  const Classification& classification = views_.renderer().classification(scene);
   update_table_texture(classification);
   inputs.volume = loaded_.volume.get();
   inputs.resolved = scene.tf;
@@ -195,7 +195,7 @@ std::array<ViewRequest, view_count> Studio::view_requests(const StudioRequests& 
   const Scene scene = make_scene(loaded_.volume, document_.preset);
   for (std::size_t i = 0; i < view_count; ++i) {
     wanted[i] = {scene, camera_of(document_.preset, *loaded_.volume), requests.view_pixels[i]};
-    wanted[i].scene.rendering.mode = view_modes[i];
+    wanted[i].scene.rendering = in_mode(scene.rendering, view_modes[i]);
   }
   return wanted;
 }
@@ -235,7 +235,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
     say(error.what(), true);
   }
   update_sweep(requests, interactive);
-  if (!views_.raycaster().shader_error().empty()) say(views_.raycaster().shader_error(), true);
+  if (!views_.renderer().shader_error().empty()) say(views_.renderer().shader_error(), true);
 }
 
 }  // namespace crest

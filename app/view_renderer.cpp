@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/measure/timing.h"
+#include "render/raycaster/limits.h"
 
 namespace crest {
 namespace {
@@ -24,6 +25,11 @@ Scene coarse_scene(Scene scene, int coarseness) {
   return scene;
 }
 
+std::vector<std::string> warnings_of(const ViewRequest& request) {
+  if (request.size.x <= 0 || !request.scene.volume) return {};
+  return scene_warnings(request.scene, request.camera, request.size);
+}
+
 }  // namespace
 
 bool ViewRequest::operator==(const ViewRequest& other) const {
@@ -31,7 +37,7 @@ bool ViewRequest::operator==(const ViewRequest& other) const {
          scene.rendering == other.scene.rendering && camera == other.camera && size == other.size;
 }
 
-ViewRenderer::ViewRenderer(std::filesystem::path shader_folder) : raycaster_(std::move(shader_folder)) {}
+ViewRenderer::ViewRenderer(std::filesystem::path shader_folder) : renderer_(std::move(shader_folder)) {}
 
 void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, double budget_ms,
                         bool interactive) {
@@ -39,6 +45,7 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
     View& view = views_[i];
     if (requests[i] == view.wanted) continue;
     view.wanted = requests[i];
+    view.warnings = warnings_of(view.wanted);
     ++view.wanted_version;
     view.is_counted = false;
     const bool keep = view.pass && view.pass->coarseness > 1 && view.pass->request.size == view.wanted.size &&
@@ -58,7 +65,7 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
         continue;
       }
       if (!view->pass) {
-        find_need(*view);
+        view->need = renderer_.need(view->wanted.scene, view->wanted.camera, view->wanted.size);
         begin_pass(*view, interactive);
       }
       draw_slice(*view, interactive ? slice_ms : std::max(slice_ms, budget_ms / 2));
@@ -104,13 +111,6 @@ ViewRenderer::View* ViewRenderer::next_view() {
   return best;
 }
 
-void ViewRenderer::find_need(View& view) {
-  const auto& [scene, camera, size] = view.wanted;
-  Need need = raycaster_.need(scene, camera, size, false);
-  view.need.gpu_data = gpu_data(need, *scene.volume, raycaster_.classification(scene));
-  view.need.features = std::move(need.list);
-}
-
 void ViewRenderer::begin_pass(View& view, bool interactive) {
   Pass pass;
   pass.request = view.wanted;
@@ -133,8 +133,8 @@ void ViewRenderer::draw_slice(View& view, double wanted_ms) {
   const int rows = std::max(int(std::min(wanted_ms / (ms_per_pixel * size.x), 1e6)), 4);
   const Tile tile{{0, pass.next_row}, {size.x, std::min(pass.next_row + rows, size.y)}};
   const double ms = finished_ms([&] {
-    raycaster_.draw(coarse_scene(pass.request.scene, pass.coarseness), pass.request.camera, *pass.target,
-                    tile);
+    renderer_.draw(coarse_scene(pass.request.scene, pass.coarseness), pass.request.camera, *pass.target,
+                   tile);
   });
   const double pixels = double(tile.end.x) * (tile.end.y - tile.begin.y);
   ms_per_pixel = std::max(1e-7, 0.5 * ms_per_pixel + 0.5 * ms / pixels);
@@ -163,7 +163,7 @@ void ViewRenderer::finish_pass(View& view) {
 
 void ViewRenderer::count_costs(View& view) {
   gl::RenderTarget target(coarse_size(view.wanted.size, count_coarseness), true);
-  view.counts = raycaster_.draw_counted(view.wanted.scene, view.wanted.camera, target);
+  view.counts = sum_of(renderer_.draw_counts(view.wanted.scene, view.wanted.camera, target));
   view.is_counted = true;
 }
 
@@ -171,6 +171,7 @@ ViewPicture ViewRenderer::picture(int index) const {
   const View& view = views_[std::size_t(index)];
   ViewPicture picture;
   picture.need = view.need;
+  picture.warnings = view.warnings;
   if (!view.display) return picture;
   const bool done = view.shown_coarseness == 1 && view.shown_version == view.wanted_version;
   picture.texture = view.display->texture();

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "render/gl/display_texture.h"
-#include "render/raycaster/raycaster.h"
+#include "render/renderer.h"
 #include "ui/studio.h"
 
 namespace crest {
@@ -37,7 +37,7 @@ class ViewRenderer {
   std::array<std::uint64_t, view_count> wanted_versions() const;
   std::array<std::uint64_t, view_count> shown_versions() const;
 
-  Raycaster& raycaster() { return raycaster_; }
+  Renderer& renderer() { return renderer_; }
   /// Draws everything again (after the shaders changed).
   void invalidate();
 
@@ -53,6 +53,7 @@ class ViewRenderer {
   };
   struct View {
     ViewRequest wanted;
+    std::vector<std::string> warnings;  ///< of `wanted`
     std::uint64_t wanted_version = 0, shown_version = 0;
     int shown_coarseness = 0;  ///< 0: nothing is shown
     std::optional<Pass> pass;
@@ -65,14 +66,13 @@ class ViewRenderer {
   };
 
   View* next_view();
-  void find_need(View& view);
   void begin_pass(View& view, bool interactive);
   void draw_slice(View& view, double slice_ms);
   void finish_pass(View& view);
   void count_costs(View& view);
   void give_up(View& view);  ///< what cannot be drawn is not tried again until it changes
 
-  Raycaster raycaster_;
+  Renderer renderer_;
   gl::Presenter presenter_;
   std::array<View, view_count> views_;
   std::size_t last_view_ = 0;

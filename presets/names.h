@@ -33,8 +33,8 @@ struct EnumNames<PeakForm> {
 };
 template <>
 struct EnumNames<Engine> {
-  static constexpr Named<Engine> table[] = {{Engine::raycaster, "raycaster"},
-                                            {Engine::reference, "reference"}};
+  static constexpr Named<Engine> table[] = {
+      {Engine::raycaster, "raycaster"}, {Engine::vdls, "vdls"}, {Engine::reference, "reference"}};
 };
 template <>
 struct EnumNames<Placement> {
@@ -70,6 +70,15 @@ struct EnumNames<Gradient> {
 template <>
 struct EnumNames<Shading> {
   static constexpr Named<Shading> table[] = {{Shading::none, "none"}, {Shading::gradient, "gradient"}};
+};
+template <>
+struct EnumNames<Illumination> {
+  static constexpr Named<Illumination> table[] = {{Illumination::semi_transparent, "semi_transparent"},
+                                                  {Illumination::lookup, "lookup"},
+                                                  {Illumination::iso_surface, "iso_surface"},
+                                                  {Illumination::maximum, "maximum"},
+                                                  {Illumination::minimum, "minimum"},
+                                                  {Illumination::mean, "mean"}};
 };
 template <>
 struct EnumNames<Domain> {

@@ -12,7 +12,7 @@ namespace crest {
 enum class Mode { both, peak_xor_dvr, peak_only, dvr_only };
 /// How a step that holds crossings is integrated: as published, or divided at its crossings.
 enum class PeakForm { split, paper };
-enum class Engine { raycaster, reference };
+enum class Engine { raycaster, vdls, reference };
 /// Where a ray's samples lie (Steneteg et al., Listings 1 to 4): one step apart, at whole steps from the eye
 /// or midpoints of whole steps from the entry, as long as they lie within, so that their segments stick out
 /// or fall short by up to half a step; or in equal segments from entry to exit, rounded down (none in a
@@ -28,6 +28,11 @@ enum class Sampling { uniform, differential, footprint };
 /// float; tricubic B-spline; the family of Mitchell and Netravali with its B and C.
 enum class Filter { linear, linear_exact, bspline, bc };
 enum class Shading { none, gradient };
+/// What a sample contributes to its ray (view-dependent layer sampling, Table 1): its colour and opacity by
+/// the TF, of a segment of the step's length (semi_transparent) or as they are (lookup); white and opaque
+/// where the TF has at least half its greatest opacity (iso_surface); or its value as a grey, of which a ray
+/// shows the greatest, the least or the mean.
+enum class Illumination { semi_transparent, lookup, iso_surface, maximum, minimum, mean };
 /// How shading finds a gradient: central differences of the field, or the filter's own derivative.
 enum class Gradient { central, filter };
 
@@ -54,10 +59,11 @@ struct Rendering {
   Filter filter = Filter::linear;
   std::optional<Filter> root_filter;      ///< of the surfaces; without one, the same
   double bc_b = 1.0 / 3, bc_c = 1.0 / 3;  ///< Mitchell and Netravali's, -10..10
-  int max_peaks = 4;                      ///< most crossings that one step composites in the paper's form, 1..64
-  int peak_bins = 128;                    ///< bins of the peak table on each axis, 1..4096
+  int max_peaks = 4;    ///< most crossings that one step composites in the paper's form, 1..64
+  int peak_bins = 128;  ///< bins of the peak table on each axis, 1..4096
   Shading shading = Shading::none;
   Gradient gradient = Gradient::central;
+  Illumination illumination = Illumination::semi_transparent;  ///< others show no surfaces of peaks
   double early_termination = 0;  ///< residual transmittance at which a ray stops; 0 = never
   std::optional<ClipBox> clip_box;
   glm::dvec3 background{0};  ///< display-referred RGB in [0, 1]

@@ -161,6 +161,14 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
         "derivative");
     changed |= choice(widgets, "##gradient", r.gradient, field);
   }
+  row("Illumination",
+      "What a sample contributes to its ray:\nsemi_transparent - the integral of the transfer "
+      "function\nlookup - "
+      "its opacity as it is, whatever the step\niso_surface - white and opaque where the transfer function "
+      "has half "
+      "its greatest opacity\nmaximum, minimum, mean - of the values, as a grey\nAll but the first show no "
+      "peaks");
+  changed |= choice(widgets, "##illumination", r.illumination, field);
   row("Early termination", "Residual transmittance at which a ray stops; 0 = never");
   changed |= number_field(widgets, "##early termination", r.early_termination, {0, 1}, field);
   changed |= clip_rows(widgets, r.clip_box, inputs.volume, field);
@@ -168,8 +176,9 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
   changed |= color_square(widgets, "##background", r.background);
   row("Mode in the file", "The mode that the preset is rendered in elsewhere; the views show all four");
   changed |= choice(widgets, "##mode", r.mode, field);
-  row("Engine in the file",
-      "What renders the preset elsewhere (crest render and compare); the views are always drawn by the ray "
+  row("Engine",
+      "raycaster\nvdls - view-dependent layer sampling: draws the DVR_ONLY view, and the ray caster the "
+      "others\nreference - the exact answer (crest render and compare); the views are drawn by the ray "
       "caster");
   changed |= choice(widgets, "##engine", r.engine, field);
   ImGui::EndTable();

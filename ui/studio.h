@@ -12,7 +12,7 @@
 
 #include "render/classify/peak_table.h"
 #include "render/classify/peaks.h"
-#include "render/raycaster/need.h"
+#include "render/picture_need.h"
 #include "render/volume/volume.h"
 #include "ui/accuracy_results.h"
 #include "ui/document.h"
@@ -24,13 +24,6 @@ inline constexpr int view_count = 4;
 inline constexpr std::array<Mode, view_count> view_modes{Mode::dvr_only, Mode::peak_only, Mode::peak_xor_dvr,
                                                          Mode::both};
 
-/// What a picture is made from, what was left out, and what the graphics device holds for it.
-struct PictureNeed {
-  FeatureList features;
-  std::vector<GpuData> gpu_data;
-  bool operator==(const PictureNeed&) const = default;
-};
-
 /// A view's picture, as the program last drew it.
 struct ViewPicture {
   std::uintptr_t texture = 0;  ///< an ImTextureID, row 0 at the top; 0 while there is none
@@ -39,6 +32,7 @@ struct ViewPicture {
   double frame_ms = 0;         ///< of the last full-resolution picture; 0 while there is none
   double samples_per_ray = 0, dvr_samples_per_ray = 0;  ///< 0 while not counted
   PictureNeed need;                                     ///< at full resolution; empty until it is begun
+  std::vector<std::string> warnings;  ///< what it may be off by, in sentences; empty for ordinary scenes
 };
 
 /// What the program tells the panels: results, read only.

@@ -15,9 +15,11 @@ namespace crest {
 
 /// What `crest report --study NAME` says about how to run one.
 struct StudyOptions {
-  std::filesystem::path folder;    ///< where its files go; it is there
-  SceneOptions scene;              ///< its volume is empty where none was given
-  std::optional<glm::ivec2> size;  ///< in pixels, where --size was given; else each study's own
+  std::filesystem::path folder;          ///< where its files go; it is there
+  SceneOptions scene;                    ///< its volume is empty where none was given
+  std::optional<glm::ivec2> size;        ///< in pixels, where --size was given; else each study's own
+  std::optional<double> budget_seconds;  ///< where --budget was given, and is not "none"
+  std::string data_folder;               ///< of real volumes; empty where none was given
   int device = -1;
   bool json = false;     ///< also print its JSON
   std::string command;   ///< as typed, for the page
@@ -29,6 +31,7 @@ struct Study {
   std::string_view name, summary;
   void (*run)(const StudyOptions& options);
   bool takes_volume = false;  ///< VOLUME and the options of its scene, in place of a scene of its own
+  bool takes_budget = false;  ///< and leaves out what it has no time for
 };
 
 /// All studies: a new one is a line here.

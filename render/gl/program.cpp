@@ -28,9 +28,9 @@ ShaderHandle compile(GLenum stage, std::string_view name, const std::vector<std:
 
 }  // namespace
 
-ProgramHandle build_fullscreen_program(std::string_view fragment, const std::vector<std::string>& defines,
-                                       const std::filesystem::path& folder) {
-  const ShaderHandle vertex_shader = compile(GL_VERTEX_SHADER, "fullscreen.vert", {}, folder);
+ProgramHandle build_program(std::string_view vertex, std::string_view fragment,
+                            const std::vector<std::string>& defines, const std::filesystem::path& folder) {
+  const ShaderHandle vertex_shader = compile(GL_VERTEX_SHADER, vertex, {}, folder);
   const ShaderHandle fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, defines, folder);
   ProgramHandle program(glCreateProgram());
   glAttachShader(program.id(), vertex_shader.id());
@@ -44,6 +44,11 @@ ProgramHandle build_fullscreen_program(std::string_view fragment, const std::vec
     throw Error(fmt::format("shader program {} does not link: {}", fragment, log));
   }
   return program;
+}
+
+ProgramHandle build_fullscreen_program(std::string_view fragment, const std::vector<std::string>& defines,
+                                       const std::filesystem::path& folder) {
+  return build_program("fullscreen.vert", fragment, defines, folder);
 }
 
 }  // namespace crest::gl

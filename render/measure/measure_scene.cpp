@@ -7,8 +7,8 @@
 
 #include "render/gl/timer.h"
 #include "render/measure/timing.h"
-#include "render/raycaster/raycaster.h"
 #include "render/reference/cache.h"
+#include "render/renderer.h"
 
 namespace crest {
 namespace {
@@ -20,7 +20,7 @@ constexpr Tile one_pixel{{0, 0}, {1, 1}};
 struct SceneRenderer {
   SceneRenderer(Scene s, Camera c, glm::ivec2 size)
       : scene(std::move(s)), camera(c), target(size, false), counted(size, true) {
-    raycaster.emplace();
+    engine.emplace();
   }
 
   const Scene& scene_with(const Rendering& rendering) {
@@ -28,22 +28,22 @@ struct SceneRenderer {
     return scene;
   }
   double draw_ms() {
-    return finished_ms([&] { raycaster->draw(scene, camera, target); });
+    return finished_ms([&] { engine->draw(scene, camera, target); });
   }
   double draw_pixel_ms() {
-    return finished_ms([&] { raycaster->draw(scene, camera, target, one_pixel); });
+    return finished_ms([&] { engine->draw(scene, camera, target, one_pixel); });
   }
 
   Scene scene;
   Camera camera;
-  std::optional<Raycaster> raycaster;
+  std::optional<Renderer> engine;
   gl::RenderTarget target, counted;
 };
 
 Measurer::Start measure_start(SceneRenderer& renderer, const Rendering& rendering) {
   renderer.scene_with(rendering);
-  renderer.raycaster.reset();  // its room first
-  renderer.raycaster.emplace();
+  renderer.engine.reset();  // its room first
+  renderer.engine.emplace();
   Measurer::Start start;
   start.first_frame_ms = renderer.draw_ms();
 
@@ -63,9 +63,9 @@ Measurer::Start measure_start(SceneRenderer& renderer, const Rendering& renderin
 Measurer::Picture take_picture(SceneRenderer& renderer, const Rendering& rendering) {
   Measurer::Picture picture;
   const Scene& scene = renderer.scene_with(rendering);
-  renderer.raycaster->draw(scene, renderer.camera, renderer.target);
+  renderer.engine->draw(scene, renderer.camera, renderer.target);
   picture.image = renderer.target.read_color();
-  const auto pixels = renderer.raycaster->draw_counts(scene, renderer.camera, renderer.counted);
+  const auto pixels = renderer.engine->draw_counts(scene, renderer.camera, renderer.counted);
   const RenderCounts counts = sum_of(pixels);
   picture.samples_per_ray = counts.samples / counts.pixels;
   picture.dvr_samples_per_ray = counts.dvr_samples / counts.pixels;
@@ -80,7 +80,7 @@ Measurer::FrameTime time_frame(SceneRenderer& renderer, const Rendering& renderi
   Measurer::FrameTime time;
   time.wall_ms = finished_ms([&] {
     time.device_ms =
-        gl::device_ms([&] { renderer.raycaster->draw(renderer.scene, renderer.camera, renderer.target); });
+        gl::device_ms([&] { renderer.engine->draw(renderer.scene, renderer.camera, renderer.target); });
   });
   return time;
 }

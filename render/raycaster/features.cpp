@@ -41,14 +41,18 @@ namespace {
 /// The texture unit gives no derivative: that of the trilinear field takes its texels.
 Filter gradient_filter(Filter filter) { return filter == Filter::linear ? Filter::linear_exact : filter; }
 
+std::string define_of(std::string_view prefix, std::string_view name, bool in) {
+  std::string define = fmt::format("{}_{} {:d}", prefix, name, in);
+  std::ranges::transform(define, define.begin(), [](char c) { return char(std::toupper(c)); });
+  return define;
+}
+
 void add_filter_defines(std::vector<std::string>& defines, const Features& features) {
   const auto add_function = [&](const char* name, Filter filter, const char* of) {
     defines.push_back(fmt::format("{} {}_{}", name, name_of(filter), of));
   };
   for (const auto& [filter, name] : names_of<Filter>()) {
-    std::string define = fmt::format("FILTER_{} {:d}", name, uses_filter(features, filter));
-    std::ranges::transform(define, define.begin(), [](char c) { return char(std::toupper(c)); });
-    defines.push_back(std::move(define));
+    defines.push_back(define_of("FILTER", name, uses_filter(features, filter)));
   }
   add_function("ROOT_FIELD", features.root_filter, "field");
   add_function("DVR_FIELD", features.filter, "field");
@@ -75,6 +79,8 @@ std::vector<std::string> shader_defines(const Features& features) {
   add("PLACEMENT_ENTRY", features.placement == Placement::entry);
   add("PLACEMENT_ENTRY_EXIT", features.placement == Placement::entry_exit);
   add_filter_defines(defines, features);
+  for (const auto& [illumination, name] : names_of<Illumination>())
+    defines.push_back(define_of("ILLUMINATION", name, features.illumination == illumination));
   return defines;
 }
 
@@ -86,6 +92,8 @@ std::vector<std::string> feature_names(const Features& features) {
     names.push_back(fmt::format("placement_{}", name_of(features.placement)));
   if (features.filter != Filter::linear) names.push_back(fmt::format("filter_{}", name_of(features.filter)));
   if (features.own_root_filter) names.push_back(fmt::format("root_filter_{}", name_of(features.root_filter)));
+  if (features.illumination != Illumination::semi_transparent)
+    names.push_back(fmt::format("illumination_{}", name_of(features.illumination)));
   return names;
 }
 

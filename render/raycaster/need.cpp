@@ -8,6 +8,7 @@
 
 #include "presets/names.h"
 #include "render/classify/peak_table.h"
+#include "render/raycaster/illumination.h"
 #include "render/raycaster/largest_change.h"
 #include "render/raycaster/step_lengths.h"
 #include "render/view.h"
@@ -37,6 +38,10 @@ struct Scenery {
   ValueRange dvr_field() const { return field_range(dvr_filter(rendering), statistics.range); }
   ValueRange surface_field() const { return field_range(root_filter(rendering), statistics.range); }
   const std::vector<Peak>& surfaces() const { return classification.surfaces; }
+  bool is_semi_transparent() const { return rendering.illumination == Illumination::semi_transparent; }
+  std::string illumination() const {
+    return fmt::format("rendering.illumination is {}", name_of(rendering.illumination));
+  }
   bool is_split() const { return rendering.peak_form == PeakForm::split; }
 
   std::string why_nothing() const;
@@ -80,6 +85,7 @@ std::string Scenery::why_nothing() const {
 
 // The base TF holds also where no spike's own value is in the field's range: its flanks may be.
 std::string Scenery::why_no_base_tf() const {
+  if (!is_semi_transparent()) return illumination();
   if (rendering.mode != Mode::peak_xor_dvr) return "the mode is not PEAK_XOR_DVR";
   if (!is_split()) return "the peak form is the paper's";
   const auto& points = classification.tf.points;
@@ -93,6 +99,7 @@ std::string Scenery::why_no_base_tf() const {
 
 std::string Scenery::why_no_dvr() const {
   if (rendering.mode == Mode::peak_only) return "the mode is PEAK_ONLY";
+  if (shows_values(rendering.illumination)) return "";
   if (largest_opacity(dvr_tf(), dvr_field()) > 0) return "";
   if (largest_opacity(classification.tf, dvr_field()) > 0)
     return "without its spikes, which are surfaces, the transfer function shows nothing";
@@ -101,6 +108,7 @@ std::string Scenery::why_no_dvr() const {
 
 std::string Scenery::why_no_peaks() const {
   if (rendering.mode == Mode::dvr_only) return "the mode is DVR_ONLY";
+  if (rendering.mode != Mode::peak_only && !is_semi_transparent()) return illumination();
   if (!surfaces().empty()) return "";
   if (classification.peaks.empty()) return "the transfer function has no peak";
   const bool shown = std::ranges::any_of(classification.peaks, &Peak::shown);
@@ -269,6 +277,7 @@ constexpr double most_occupied = 0.8;
 
 std::string Decision::why_no_skipping() const {
   if (!s_.rendering.skipping) return "rendering.skipping is false";
+  if (shows_values(need_.needed.illumination)) return s_.illumination();
   if (!occupied_share_) return "no macrocells are known";
   const double share = occupied_share_(need_.needed, need_.tf_blur);
   return share <= most_occupied ? ""
@@ -310,7 +319,10 @@ void Decision::decide_rays(bool statistics) {
       decide(feature, "nothing is sampled", false);
   decide(&Features::clip_box, s_.why_no_clip_box(), false);
   decide(&Features::shading,
-         if_sampled(s_.rendering.shading == Shading::gradient ? "" : "rendering.shading is none"));
+         if_sampled(shows_values(need_.needed.illumination)     ? s_.illumination()
+                    : s_.rendering.shading == Shading::gradient ? ""
+                                                                : "rendering.shading is none"),
+         !shows_values(need_.needed.illumination));
   decide(&Features::filter_gradient, if_sampled(s_.why_no_filter_gradient(need_.features)),
          need_.features.shading && !need_.needed.shading);
   decide(&Features::empty_cells, if_sampled(s_.why_no_empty_cells()));
@@ -351,6 +363,7 @@ Need Decision::make(bool statistics) {
   need_.visible = nothing.empty();
   if (need_.visible) {
     decide(&Features::dvr, s_.why_no_dvr());
+    if (need_.needed.dvr) need_.features.illumination = need_.needed.illumination = s_.rendering.illumination;
     decide_peaks();
     decide_forms();
     decide_tf_table();

@@ -6,19 +6,21 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <limits>
-#include <map>
 #include <optional>
 
-#include "presets/error.h"
 #include "render/camera.h"
-#include "render/gl/program.h"
+#include "render/gl/program_cache.h"
+#include "render/gl/uniforms.h"
+#include "render/raycaster/illumination.h"
 #include "render/raycaster/macrocell_store.h"
 #include "render/raycaster/table_textures.h"
+#include "render/raycaster/view_uniforms.h"
 #include "render/raycaster/volume_texture.h"
-#include "render/volume/clip.h"
 
 namespace crest {
 namespace {
+
+using gl::set;
 
 enum Unit : GLuint {
   volume_unit,
@@ -28,43 +30,6 @@ enum Unit : GLuint {
   peak_table_unit,
   peak_runs_unit
 };
-
-void set(GLuint program, const char* name, float x) {
-  glProgramUniform1f(program, glGetUniformLocation(program, name), x);
-}
-void set(GLuint program, const char* name, glm::vec2 v) {
-  glProgramUniform2f(program, glGetUniformLocation(program, name), v.x, v.y);
-}
-void set(GLuint program, const char* name, glm::vec3 v) {
-  glProgramUniform3f(program, glGetUniformLocation(program, name), v.x, v.y, v.z);
-}
-void set(GLuint program, const char* name, int i) {
-  glProgramUniform1i(program, glGetUniformLocation(program, name), i);
-}
-
-void set_view(GLuint program, const Scene& scene, const Camera& camera, glm::ivec2 size) {
-  const Grid& grid = scene.volume->grid;
-  const double unit = grid.smallest_spacing();
-  const RayFrame rays = ray_frame(camera, grid, size);
-  const glm::dvec3 cell_size = grid.spacing / unit;
-  set(program, "image_size", glm::vec2(size));
-  set(program, "box_size", glm::vec3(grid.box_size() / unit));
-  const Box rendered = rendered_box(grid, scene.rendering.clip_box);
-  set(program, "rendered_min", glm::vec3((rendered.min - grid.origin) / unit));
-  set(program, "rendered_max", glm::vec3((rendered.max - grid.origin) / unit));
-  set(program, "cell_size", glm::vec3(cell_size));
-  set(program, "texture_scale", glm::vec3(1.0 / (cell_size * glm::dvec3(grid.dims))));
-  set(program, "texture_offset", glm::vec3(0.5 / glm::dvec3(grid.dims)));
-  set(program, "ray_anchor", glm::vec3(rays.anchor));
-  set(program, "ray_anchor_u", glm::vec3(rays.anchor_u));
-  set(program, "ray_anchor_v", glm::vec3(rays.anchor_v));
-  set(program, "ray_w", glm::vec3(rays.w));
-  set(program, "ray_u", glm::vec3(rays.u));
-  set(program, "ray_v", glm::vec3(rays.v));
-  set(program, "eye_to_anchor", float(rays.eye_to_anchor));
-  set(program, "step_length", float(scene.rendering.step));
-  set(program, "s_k", float(scene.rendering.s_k));
-}
 
 void set_few_peaks(GLuint program, const std::vector<Peak>& peaks) {
   glm::vec4 values(std::numeric_limits<float>::infinity());
@@ -100,7 +65,9 @@ struct Tables {
 }  // namespace
 
 struct Raycaster::State {
-  std::filesystem::path shader_folder;
+  explicit State(std::filesystem::path shader_folder) : programs(std::move(shader_folder)) {}
+
+  gl::ProgramCache programs;
   gl::VertexArrayHandle vertex_array;
 
   std::shared_ptr<const Volume> volume;
@@ -114,18 +81,11 @@ struct Raycaster::State {
   MacrocellStore macrocells;
   Tables no_tables;  ///< of a TF that shows nothing, for what is forced in
 
-  struct Variant {
-    gl::ProgramHandle program;
-    bool current = false;  ///< false after reload_shaders, until it was compiled again
-  };
-  std::map<std::vector<std::string>, Variant> variants;
-  std::string shader_error;
   Forced forced;
 
   void take_volume(const Scene& scene);
   void take_classification(const Scene& scene);
   Need need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics);
-  const gl::ProgramHandle& program(const Features& features);
   void bind(const Scene& scene, const Need& need, GLuint program);
   void bind_macrocells(const Scene& scene, const Need& need, GLuint program);
   void bind_tf(const Need& need, GLuint program);
@@ -169,21 +129,6 @@ Need Raycaster::State::need(const Scene& scene, const Camera& camera, glm::ivec2
                    occupied_share);
 }
 
-const gl::ProgramHandle& Raycaster::State::program(const Features& features) {
-  Variant& variant = variants[shader_defines(features)];
-  if (!variant.current) {
-    try {
-      variant.program =
-          gl::build_fullscreen_program("raycaster.frag", shader_defines(features), shader_folder);
-    } catch (const Error& error) {
-      if (!variant.program) throw;
-      shader_error = error.what();
-    }
-    variant.current = true;
-  }
-  return variant.program;
-}
-
 void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program) {
   const Features& features = need.features;
   glBindTextureUnit(volume_unit, values.id());
@@ -198,6 +143,7 @@ void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program
   if (uses_filter(features, Filter::bc)) set_bc_weights(program, scene.rendering);
   if (features.skipping || features.adaptive) bind_macrocells(scene, need, program);
   if (features.dvr) bind_tf(need, program);
+  if (features.illumination != Illumination::semi_transparent) bind_illumination(program, scene, units);
   if (features.peaks) bind_peaks(need, program);
   // What is forced in does not show
   set(program, "max_peaks", scene.rendering.max_peaks);
@@ -227,11 +173,7 @@ void Raycaster::State::bind_tf(const Need& need, GLuint program) {
                                                     : classification->tf;
     tf = upload_tf(units.stored(shown), units.stored(dvr_range), volume->grid.smallest_spacing(), entries);
   }
-  glBindTextureUnit(tf_unit, tf->texture.id());
-  set(program, "tf_texture", int(tf_unit));
-  // The centres of the first and the last entry are the range's ends
-  const double scale = (entries - 1.0) / entries / tf->range.width();
-  set(program, "tf_min_scale_offset", glm::vec3(tf->range.min, scale, 0.5 / entries));
+  bind_tf_texture(program, *tf, tf_unit);
 }
 
 void Raycaster::State::bind_peaks(const Need& need, GLuint program) {
@@ -254,8 +196,8 @@ void Raycaster::State::bind_peaks(const Need& need, GLuint program) {
       glm::vec2(units.stored(held.peak_table->range.min), held.peak_table->bin_scale / units.scale));
 }
 
-Raycaster::Raycaster(std::filesystem::path shader_folder) : state_(std::make_unique<State>()) {
-  state_->shader_folder = std::move(shader_folder);
+Raycaster::Raycaster(std::filesystem::path shader_folder)
+    : state_(std::make_unique<State>(std::move(shader_folder))) {
   GLuint id = 0;
   glCreateVertexArrays(1, &id);
   state_->vertex_array = gl::VertexArrayHandle(id);
@@ -293,13 +235,13 @@ void Raycaster::State::draw(const Scene& scene, const Camera& camera, gl::Render
 
 void Raycaster::State::draw_passes(const Scene& scene, const Camera& camera, const gl::RenderTarget& target,
                                    const Need& needs, const std::function<void(int pass)>& after_pass) {
-  const GLuint id = program(needs.features).id();
+  const GLuint id = programs.program("fullscreen.vert", "raycaster.frag", shader_defines(needs.features));
   bind(scene, needs, id);
   set_view(id, scene, camera, target.size());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
-  glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);  // a later pass lies behind
+  set_blending(needs.features.illumination, false);
   glBindVertexArray(vertex_array.id());
   glUseProgram(id);
   for (int pass = 0; pass < needs.passes(); ++pass) {
@@ -336,30 +278,14 @@ std::vector<PixelCounts> Raycaster::draw_counts(const Scene& scene, const Camera
   return sums;
 }
 
-RenderCounts sum_of(const std::vector<PixelCounts>& pixels) {
-  RenderCounts total;
-  for (const PixelCounts& pixel : pixels) {
-    total.pixels += 1;
-    total.hit_pixels += pixel.hit;
-    total.samples += pixel.samples;
-    total.dvr_samples += pixel.dvr_samples;
-    total.crossings += pixel.crossings;
-    total.crossings_left_out += pixel.crossings_left_out;
-  }
-  return total;
-}
-
 RenderCounts Raycaster::draw_counted(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
   return sum_of(draw_counts(scene, camera, target));
 }
 
 void Raycaster::force(const Forced& forced) { state_->forced = forced; }
 
-void Raycaster::reload_shaders() {
-  state_->shader_error.clear();
-  for (auto& [defines, variant] : state_->variants) variant.current = false;
-}
+void Raycaster::reload_shaders() { state_->programs.reload(); }
 
-const std::string& Raycaster::shader_error() const { return state_->shader_error; }
+const std::string& Raycaster::shader_error() const { return state_->programs.error(); }
 
 }  // namespace crest

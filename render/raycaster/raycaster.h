@@ -1,38 +1,16 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "render/gl/render_target.h"
+#include "render/picture_cost.h"
 #include "render/raycaster/need.h"
 #include "render/scene.h"
 
 namespace crest {
-
-/// Pixels of a target to draw: rows and columns from `begin` up to but not including `end`.
-struct Tile {
-  glm::ivec2 begin, end;
-};
-
-/// What one pixel cost.
-struct PixelCounts {
-  std::uint32_t samples = 0, dvr_samples = 0;  ///< as in RenderCounts
-  std::uint32_t crossings = 0, crossings_left_out = 0;
-  bool hit = false;  ///< its ray meets the box
-};
-
-/// What a picture cost, over all its pixels.
-struct RenderCounts {
-  double pixels = 0, hit_pixels = 0;  ///< all, and those whose ray meets the box
-  double samples = 0,
-         dvr_samples = 0;  ///< field evaluations (gradient taps apart), and those that DVR classified
-  double crossings = 0;
-  double crossings_left_out = 0;  ///< in steps with more than max_peaks, in the paper's form
-};
-RenderCounts sum_of(const std::vector<PixelCounts>& pixels);
 
 /// The single-pass ray caster. It keeps what the last scenes needed (the volume's texture, the TF's tables,
 /// the shader variants) and rebuilds only what changed. A GL 4.5 context must be current throughout.

@@ -3,6 +3,8 @@
 #include <glm/vec2.hpp>
 #include <limits>
 
+#include "render/gl/uniforms.h"
+
 namespace crest {
 namespace {
 
@@ -32,6 +34,14 @@ TfTexture upload_tf(const TransferFunction& tf, ValueRange field, double smalles
   glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   return result;
+}
+
+void bind_tf_texture(GLuint program, const TfTexture& tf, GLuint unit) {
+  glBindTextureUnit(unit, tf.texture.id());
+  gl::set(program, "tf_texture", int(unit));
+  // The centres of the first and the last entry are the range's ends
+  const double scale = (tf.entries - 1.0) / tf.entries / tf.range.width();
+  gl::set(program, "tf_min_scale_offset", glm::vec3(tf.range.min, scale, 0.5 / tf.entries));
 }
 
 PeakTableTextures upload_peak_table(const PeakTable& table, const std::vector<Peak>& peaks) {

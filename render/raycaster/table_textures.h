@@ -18,6 +18,9 @@ struct TfTexture {
 /// `tf` is resolved; the texture covers what `field` reaches of it (see build_tf_table).
 TfTexture upload_tf(const TransferFunction& tf, ValueRange field, double smallest_spacing, int entries);
 
+/// Gives it to a program with transfer_function.glsl, in this texture unit.
+void bind_tf_texture(GLuint program, const TfTexture& tf, GLuint unit);
+
 /// The peak table on the GPU, entry bin across, exit bin up.
 struct PeakTableTextures {
   int bins = 0;

@@ -8,10 +8,9 @@
 #include "render/volume/empty_cells.h"
 
 namespace crest {
-namespace {
 
-gl::TextureHandle upload(glm::ivec3 size, GLenum internal_format, GLenum format, GLenum type,
-                         const void* data, GLint filter) {
+gl::TextureHandle upload_3d(glm::ivec3 size, GLenum internal_format, GLenum format, GLenum type,
+                            const void* data, GLint filter) {
   GLuint id = 0;
   glCreateTextures(GL_TEXTURE_3D, 1, &id);
   gl::TextureHandle texture(id);
@@ -31,8 +30,6 @@ gl::TextureHandle upload(glm::ivec3 size, GLenum internal_format, GLenum format,
   return texture;
 }
 
-}  // namespace
-
 gl::TextureHandle upload_volume(const Volume& volume, const StoredUnits& units) {
   const glm::ivec3 dims = volume.grid.dims;
   GLint largest = 0;
@@ -41,19 +38,19 @@ gl::TextureHandle upload_volume(const Volume& volume, const StoredUnits& units) 
     throw Error(fmt::format("{}: {}x{}x{} points are too many for this graphics driver: at most {} an axis",
                             volume.name, dims.x, dims.y, dims.z, largest));
   const auto upload_values = [&](const std::vector<float>& values) {
-    return upload(dims, GL_R32F, GL_RED, GL_FLOAT, values.data(), GL_LINEAR);
+    return upload_3d(dims, GL_R32F, GL_RED, GL_FLOAT, values.data(), GL_LINEAR);
   };
   if (volume.has_empty_cells()) return upload_values(units.stored(finite_values(volume)));
   return units.is_identity() ? upload_values(volume.values) : upload_values(units.stored(volume.values));
 }
 
 gl::TextureHandle upload_macrocells(glm::ivec3 dims, const std::vector<std::uint8_t>& values) {
-  return upload(dims, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, values.data(), GL_NEAREST);
+  return upload_3d(dims, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, values.data(), GL_NEAREST);
 }
 
 gl::TextureHandle upload_empty_cells(const Volume& volume, int radius) {
-  return upload(volume.grid.dims - 1, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
-                find_empty_cells(volume, radius).data(), GL_NEAREST);
+  return upload_3d(volume.grid.dims - 1, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
+                   find_empty_cells(volume, radius).data(), GL_NEAREST);
 }
 
 }  // namespace crest

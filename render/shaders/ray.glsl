@@ -25,20 +25,23 @@ Ray pixel_ray() {
   return Ray(ray_anchor + plane.x * ray_anchor_u + plane.y * ray_anchor_v, direction / size, -eye_to_anchor * size);
 }
 
-// Where the ray is inside the rendered box and in front of the eye. A ray that runs in a face is inside.
-bool hit_box(Ray ray, out float enter, out float exit) {
+// Where the ray is inside a box and in front of the eye. A ray that runs in a face is inside.
+bool hit_box(Ray ray, vec3 low, vec3 high, out float enter, out float exit) {
   enter = ray.eye;
   exit = 3.0e38;
-  if (any(greaterThan(rendered_min, rendered_max))) return false;
+  if (any(greaterThan(low, high))) return false;
   for (int axis = 0; axis < 3; ++axis) {
     float o = ray.origin[axis], d = ray.direction[axis];
     if (d == 0.0) {
-      if (o < rendered_min[axis] || o > rendered_max[axis]) return false;
+      if (o < low[axis] || o > high[axis]) return false;
       continue;
     }
-    float a = (rendered_min[axis] - o) / d, b = (rendered_max[axis] - o) / d;
+    float a = (low[axis] - o) / d, b = (high[axis] - o) / d;
     enter = max(enter, min(a, b));
     exit = min(exit, max(a, b));
   }
   return enter <= exit;
 }
+
+// The same for the rendered box.
+bool hit_box(Ray ray, out float enter, out float exit) { return hit_box(ray, rendered_min, rendered_max, enter, exit); }

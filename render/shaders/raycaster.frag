@@ -37,6 +37,9 @@ uniform float least_residual;
 // is isolated and no value of the field is evaluated twice.
 #define INTERVALS_BEYOND_SEGMENTS 1
 #include "march_peaks.glsl"
+#elif DVR && !ILLUMINATION_SEMI_TRANSPARENT
+#define INTERVALS_BEYOND_SEGMENTS 0
+#include "march_illumination.glsl"
 #elif DVR
 #define INTERVALS_BEYOND_SEGMENTS 0
 
@@ -128,6 +131,10 @@ void main() {
   Span box;
   if (hit_box(ray, box.enter, box.exit)) {
     int index = 0;
+#if DVR && !ILLUMINATION_SEMI_TRANSPARENT
+    ray_length = box.exit - box.enter;
+    collected = nothing_gathered;
+#endif
 #if EMPTY_CELLS
     Walk walk = begin_walk(ray, box, textureSize(empty_cells, 0), cell_size);
     bool more = true;
@@ -136,6 +143,7 @@ void main() {
 #else
     march_span(ray, box, index);
 #endif
+    if (index == 0) collected = vec4(0.0);
 #if STATISTICS
     counts.w |= 0x80000000u;
 #endif

@@ -1,0 +1,268 @@
+#include "app/report/vdls_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/offscreen_context.h"
+#include "app/output_folder.h"
+#include "app/report/page.h"
+#include "app/report/report_pictures.h"
+#include "presets/atomic_file.h"
+#include "presets/error.h"
+#include "presets/names.h"
+#include "render/camera.h"
+#include "render/volume/builtin.h"
+
+namespace crest {
+namespace {
+
+constexpr glm::ivec2 default_size{128, 128};
+constexpr int most_views = 100;
+
+/// What a part of the study draws with, and for how long.
+struct Lab {
+  Renderer renderer;
+  glm::ivec2 size;
+  std::optional<double> budget_seconds;
+  std::stop_token stop;
+
+  /// `share` of the budget.
+  VdlsEffort effort(double share) const { return {budget_seconds.value_or(1e9) * share, most_views, stop}; }
+  std::vector<VdlsTiming> time(const Scene& scene, const std::vector<VdlsSetup>& setups, double share) {
+    return time_setups(renderer, scene, size, setups, effort(share));
+  }
+  Image picture(Scene scene, const Camera& camera, Engine engine) {
+    if (stop.stop_requested()) throw Cancelled();
+    scene.rendering.engine = engine;
+    gl::RenderTarget target(size, false);
+    renderer.draw(scene, camera, target);
+    return target.read_color();
+  }
+};
+
+/// The pictures of both engines are kept.
+VdlsReport::Difference picture_pair(VdlsReport& report, Lab& lab, const std::string& id, const Scene& scene) {
+  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Image raycaster = lab.picture(scene, camera, Engine::raycaster);
+  report.pictures.push_back({fmt::format("images/{}-raycaster.png", id), raycaster});
+  const auto vdls = [&](bool gradient_volume) {
+    VdlsOptions options;
+    options.gradient_volume = gradient_volume;
+    lab.renderer.vdls().set_options(options);
+    return lab.picture(scene, camera, Engine::vdls);
+  };
+  const auto difference = [&](const Image& image) {
+    return double(std::ranges::max(pixel_differences(image, raycaster)));
+  };
+  const Image precomputed = vdls(true);
+  report.pictures.push_back({fmt::format("images/{}-vdls.png", id), precomputed});
+  return {difference(vdls(false)), difference(precomputed)};
+}
+
+double bytes_of(Renderer& renderer, Scene scene, glm::ivec2 size, Engine engine) {
+  scene.rendering.engine = engine;
+  double bytes = 0;
+  for (const GpuData& data : renderer.need(scene, whole_volume_camera(scene.volume->grid), size).gpu_data)
+    bytes += double(data.bytes);
+  return bytes;
+}
+
+void study_table(VdlsReport& report, Lab& lab, const std::vector<VdlsScene>& scenes) {
+  for (const VdlsScene& scene : scenes) {
+    fmt::print(stderr, "table 2: {}\n", scene.title);
+    VdlsReport::Row row{scene.id, scene.title, scene.scene.volume->grid.dims, 0, 0, {}, {}};
+    row.timings = lab.time(scene.scene, table_setups(), 0.06);
+    row.vdls_bytes = bytes_of(lab.renderer, scene.scene, lab.size, Engine::vdls);
+    row.raycaster_bytes = bytes_of(lab.renderer, scene.scene, lab.size, Engine::raycaster);
+    row.difference = picture_pair(report, lab, scene.id, scene.scene);
+    report.table.push_back(std::move(row));
+  }
+}
+
+/// Figure 5: an interval of values is opaque, one after the other.
+VdlsSeries study_intervals(Lab& lab, const VdlsScene& hydrogen) {
+  VdlsOptions without;
+  without.homo_regions = false;
+  auto setups = table_setups();
+  setups[0] = vdls_setup("VDLS without homo-regions", without);
+  setups[1].name = "VDLS with homo-regions";
+  VdlsSeries series{"intervals",
+                    "Figure 5: an interval of values is opaque, of " + hydrogen.title,
+                    "interval of the volume's range",
+                    {}};
+  Scene scene = hydrogen.scene;
+  constexpr int intervals = 8;
+  for (int i = 0; i < intervals; ++i) {
+    const double from = double(i) / intervals, to = double(i + 1) / intervals;
+    scene.tf = opaque_interval(scene.volume->statistics.range, from, to);
+    series.points.push_back(
+        {double(i + 1), fmt::format("{:.3f} to {:.3f}", from, to), lab.time(scene, setups, 0.015)});
+  }
+  return series;
+}
+
+/// Figure 6: quadtrees over a picture, and what they bring.
+void study_quadtrees(VdlsReport& report, Lab& lab, const VdlsScene& scene) {
+  struct Variant {
+    const char* title;
+    int leaves, threshold;
+  };
+  std::vector<VdlsSetup> setups;
+  const Camera camera = whole_volume_camera(scene.scene.volume->grid);
+  for (const Variant& v : {Variant{"no quadtree", 0, 0},
+                           {"64x64", 64, 8},
+                           {"32x32", 32, 8},
+                           {"32x32, threshold 0", 32, 0},
+                           {"32x32, threshold 32", 32, 32}}) {
+    VdlsOptions options;
+    options.leaves = v.leaves;
+    options.merge_threshold = v.threshold;
+    setups.push_back(vdls_setup(v.title, options));
+    lab.renderer.vdls().set_options(options);
+    lab.picture(scene.scene, camera, Engine::vdls);
+    report.quadtrees.push_back(
+        {v.title, fmt::format("images/{}-vdls.png", scene.id), lab.renderer.vdls().last_work().nodes});
+  }
+  report.series.push_back({"quadtrees", "Figure 6: quadtrees, of " + scene.title, "", {}});
+  report.series.back().points.push_back({1, "", lab.time(scene.scene, setups, 0.08)});
+}
+
+/// Section 4.3: layers a pass, with the early test and without it.
+VdlsSeries study_layers(Lab& lab, const VdlsScene& scene) {
+  VdlsSeries series{
+      "layers", "Section 4.3: layers that a pass takes, of " + scene.title, "layers a pass", {}};
+  for (const int layers : {1, 2, 4, 8, 16}) {
+    VdlsOptions early, late, backwards;
+    early.layers_per_pass = late.layers_per_pass = backwards.layers_per_pass = layers;
+    late.early_test = false;
+    backwards.back_to_front = true;
+    series.points.push_back(
+        {double(layers), fmt::format("{}", layers),
+         lab.time(scene.scene,
+                  {vdls_setup("front to back", early), vdls_setup("without the early test", late),
+                   vdls_setup("back to front", backwards)},
+                  0.02)});
+  }
+  return series;
+}
+
+/// Figure 7: volumes of more and more points; figure 8: pictures of more and more pixels, rays of more and
+/// more samples.
+void study_scaling(VdlsReport& report, Lab& lab) {
+  const auto setups = engine_setups();
+  VdlsSeries volumes{"volumes", "Figure 7: the volume grows", "points on an axis", {}};
+  for (const int n : {16, 32, 64, 128}) {
+    const VdlsScene scene = builtin_surface_scene(fmt::format("gyroid?n={}", n));
+    volumes.points.push_back({double(n), fmt::format("{}", n), lab.time(scene.scene, setups, 0.025)});
+  }
+  const VdlsScene scene = builtin_surface_scene("marschner-lobb?n=41");
+  VdlsSeries images{"images", "Figure 8, left: the picture grows, two samples a voxel", "pixels", {}};
+  Scene fine = scene.scene;
+  fine.rendering.step = 0.5;
+  for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+    const glm::ivec2 size = glm::max(glm::ivec2(share * glm::dvec2(lab.size)), glm::ivec2(1));
+    images.points.push_back({double(size.x) * size.y, fmt::format("{}x{}", size.x, size.y),
+                             time_setups(lab.renderer, fine, size, setups, lab.effort(0.025))});
+  }
+  VdlsSeries rates{"rates", "Figure 8, right: rays take more samples", "samples a voxel", {}};
+  for (const double rate : {0.5, 1.0, 2.0, 4.0, 8.0}) {
+    fine.rendering.step = 1 / rate;
+    rates.points.push_back({rate, fmt::format("{}", rate), lab.time(fine, setups, 0.02)});
+  }
+  for (VdlsSeries* series : {&volumes, &images, &rates}) report.series.push_back(std::move(*series));
+}
+
+/// Figure 10: the post-shaded filters.
+void study_filters(VdlsReport& report, Lab& lab, const VdlsScene& engine) {
+  Scene scene = engine.scene;
+  for (const auto& [illumination, name] : names_of<Illumination>()) {
+    scene.rendering.illumination = illumination;
+    report.filters.push_back(
+        {std::string(name), picture_pair(report, lab, fmt::format("filter-{}", name), scene)});
+  }
+}
+
+/// Figure 11: how far each way of rendering is from the exact integral.
+void study_quality(VdlsReport& report, Lab& lab) {
+  const VdlsScene phantom = phantom_scene();
+  report.phantom = phantom.title;
+  const Camera camera = whole_volume_camera(phantom.scene.volume->grid);
+  const Reference exact =
+      render_reference(phantom.scene, camera, lab.size, Answer::integral, default_tolerance,
+                       [&](double) { return !lab.stop.stop_requested(); });
+  report.pictures.push_back({"images/phantom-exact.png", exact.image()});
+  lab.renderer.vdls().set_options({});
+  const auto add = [&](std::string name, Engine engine, double rate, ClassificationMethod classification) {
+    Scene scene = phantom.scene;
+    scene.rendering.step = 1 / rate;
+    scene.rendering.classification = classification;
+    const Image image = lab.picture(scene, camera, engine);
+    const std::string picture = fmt::format("images/phantom-{}.png", report.quality.size());
+    const std::string errors = fmt::format("images/phantom-{}-error.png", report.quality.size());
+    report.quality.push_back({std::move(name), picture, errors, rate,
+                              image_error(exact, image, {}, glm::vec3(scene.rendering.background)).compared});
+    report.pictures.push_back({picture, image});
+    report.pictures.push_back({errors, error_picture(exact, image)});
+  };
+  for (const double rate : {1.0, 2.0}) {
+    add("VDLS", Engine::vdls, rate, ClassificationMethod::post);
+    add("ray caster", Engine::raycaster, rate, ClassificationMethod::post);
+    add("ray caster, pre-integration", Engine::raycaster, rate, ClassificationMethod::preintegrated);
+  }
+}
+
+void study(VdlsReport& report, Lab& lab, const std::filesystem::path& folder) {
+  const auto scenes = vdls_scenes(folder);
+  study_table(report, lab, scenes);
+  fmt::print(stderr, "figures 5 to 8\n");
+  report.series.push_back(study_intervals(lab, scenes[2]));
+  study_quadtrees(report, lab, scenes[5]);
+  report.series.push_back(study_layers(lab, scenes[5]));
+  study_scaling(report, lab);
+  fmt::print(stderr, "figures 10 and 11\n");
+  study_filters(report, lab, scenes[4]);
+  study_quality(report, lab);
+}
+
+Json write_study(const VdlsReport& report, const std::filesystem::path& folder) {
+  make_folder(folder / "images");
+  const Json json = vdls_json(report);
+  Json page = json;
+  for (const auto& [name, image] : report.pictures) {
+    write_image(folder / name, image, glm::vec3(0));
+    page["pictures"][name] = data_address(folder / name);
+  }
+  write_file_atomically(folder / "vdls.json", print_json(json));
+  write_page(folder / "vdls.html", "View-dependent layer sampling", web_file("vdls.html"),
+             web_file("vdls.js"), page);
+  return json;
+}
+
+}  // namespace
+
+void run_vdls_study(const StudyOptions& options) {
+  VdlsReport report;
+  report.command = options.command;
+  report.made_at = utc_now();
+  report.size = options.size.value_or(default_size);
+  const OffscreenContext context(options.device);
+  report.renderer = context.renderer();
+  {
+    Lab lab{Renderer(), report.size, options.budget_seconds, options.stop};
+    try {
+      study(report, lab, options.data_folder);
+    } catch (const Cancelled&) {
+      throw Error(
+          fmt::format("{}: stopped before the study was done; nothing is written", options.folder.string()));
+    }
+  }
+  const Json json = write_study(report, options.folder);
+  if (options.json)
+    fmt::print("{}", print_json(json));
+  else
+    fmt::print("{}\n", (options.folder / "vdls.html").string());
+}
+
+}  // namespace crest

@@ -1,0 +1,88 @@
+// The page of `crest report --study vdls`, from vdls.json.
+
+const series = (id) => data.series.find((s) => s.id === id);
+const setupsOf = (s) => s.points[0].timings.map((t) => t.setup);
+const rate = (perSecond) => `${number(perSecond / 1e6)} M`;
+const megabytes = (bytes) => `${number(bytes / 1e6)} MB`;
+
+function fillVolumes() {
+  const setups = data.table[0].timings.map((t) => t.setup);
+  const heads = ["Volume", {number: "Memory: VDLS"}, {number: "ray caster"}, {number: "Views"},
+                 ...setups.flatMap((name) => [{number: `${name}: frames/s`}, {number: "samples/s"}])];
+  fillTable(byId("table"), heads, data.table.map((row) =>
+    [`${row.title}, ${row.dims.join("×")}`, {number: megabytes(row.vdls_bytes)}, {number: megabytes(row.raycaster_bytes)},
+     {number: String(row.timings[0].views)},
+     ...row.timings.flatMap((t) => [{number: number(t.frames_per_second)}, {number: rate(t.samples_per_second)}])]));
+  byId("volumes").append(...data.table.map((row) => pair(row.id, row.title, row.largest_difference)));
+}
+
+function pair(id, title, difference) {
+  return element("div", {class: "panel"}, element("h3", {}, title),
+                 element("div", {class: "pair"}, figure(`images/${id}-vdls.png`, "VDLS"), figure(`images/${id}-raycaster.png`, "ray caster")),
+                 element("p", {class: "small"}, `largest difference ${number(difference.same_gradients)} with the same gradients, ${number(difference.gradient_volume)} with precomputed ones`));
+}
+
+function timingTable(s) {
+  const table = element("table");
+  fillTable(table, [s.x_title, ...setupsOf(s).map((name) => ({number: name}))],
+            s.points.map((p) => [p.label, ...p.timings.map((t) => ({number: `${ms(t.frame_ms)}, ${number(t.frames_per_second)}/s`}))]));
+  return element("div", {class: "panel scroll"}, element("h3", {}, s.title), table);
+}
+
+function chart(s) {
+  const lines = setupsOf(s).map((name, n) => ({
+    name: `${name}: exponent ${s.fits[n].exponent.toFixed(2)}, within ${percent(s.fits[n].largest_residual)}`, style: seriesStyle(n),
+    points: s.points.map((p) => ({x: p.x, y: p.timings[n].frame_ms, onFront: true,
+                                  tip: () => [element("b", {}, `${name}, ${p.label}`), ms(p.timings[n].frame_ms)]}))}));
+  return element("div", {class: "panel"}, element("h3", {}, s.title),
+                 logLogChart({series: lines, xTitle: s.x_title, yTitle: "frame time, ms", target: null, front: []}));
+}
+
+function quadtreeFigure(quadtree) {
+  const [width, height] = data.size;
+  const overlay = svg("svg", {viewBox: `0 0 ${width} ${height}`, class: "picture"},
+                      svg("image", {href: data.pictures[quadtree.picture], width, height}),
+                      quadtree.nodes.map(([x, y, side]) => svg("rect", {x, y, width: side, height: side, fill: "none",
+                                                                        stroke: "#5bb8e0", "stroke-width": 0.3})));
+  return element("figure", {class: "panel"}, overlay, element("figcaption", {}, `${quadtree.title}: ${quadtree.nodes.length} active nodes`));
+}
+
+function fillQuality() {
+  byId("phantom").textContent = `Figure 11: ${data.phantom}, against the integral that is solved ray by ray in double; the numbers are over premultiplied RGBA.`;
+  fillTable(byId("quality"), ["Method", {number: "Samples a voxel"}, {number: "RMSE"}, {number: "Largest"}, {number: "Off by > 1/255"}, {number: "FLIP"}],
+            data.quality.map((q) => [q.name, {number: number(q.samples_per_voxel)}, {number: number(q.rmse)}, {number: number(q.max)},
+                                     {number: percent(q.share)}, {number: number(q.flip)}]));
+  byId("phantoms").append(...data.quality.map((q) => element("div", {class: "panel"},
+      element("h3", {}, `${q.name}, ${number(q.samples_per_voxel)} a voxel`),
+      element("div", {class: "pair"}, figure(q.picture, "picture"), figure(q.error_picture, "difference from the exact one")))));
+}
+
+// What the numbers say, in sentences that only state them.
+function fillFindings() {
+  const largestDifference = (kind) => Math.max(...[...data.table, ...data.filters].map((row) => row.largest_difference[kind]));
+  const time = (row, setup) => row.timings.find((t) => t.setup === setup).frame_ms;
+  const ratios = (a, b) => data.table.map((row) => `${(time(row, a) / time(row, b)).toFixed(2)} (${row.id})`).join(", ");
+  const exponents = (id) => series(id).fits.map((f) => `${f.exponent.toFixed(2)} (${f.setup})`).join(", ");
+  const fastest = series("layers").points.reduce((a, b) => a.timings[0].frame_ms < b.timings[0].frame_ms ? a : b);
+  const lines = [
+    `The speed-ups make VDLS faster by ${ratios("VDLS basic", "VDLS enhanced")}.`,
+    `Enhanced VDLS takes as long as the ray caster times ${ratios("VDLS enhanced", "ray caster")}; with skipping, times ${ratios("VDLS enhanced", "ray caster, skipping")}.`,
+    `${fastest.label} layers a pass take the least time.`,
+    `Frame times grow with the power ${exponents("volumes")} of the points on an axis, ${exponents("images")} of the pixels, ${exponents("rates")} of the samples a voxel.`,
+    `Both engines show the same: with the same gradients the largest difference of the six volumes and the six filters is ` +
+        `${number(largestDifference("same_gradients"))}; with precomputed ones, which in the outermost cells are others, ${number(largestDifference("gradient_volume"))}.`];
+  byId("findings").append(...lines.map((line) => element("li", {}, line)));
+}
+
+byId("subject").textContent = `${data.size.join(" × ")} pixels; ${data.made_at.replace("T", " ").replace("Z", " UTC")}`;
+fillFindings();
+fillVolumes();
+byId("steps").append(...["intervals", "quadtrees", "layers"].map((id) => timingTable(series(id))));
+byId("quadtrees").append(...data.quadtrees.filter((q) => q.nodes.length).map(quadtreeFigure));
+byId("scaling").append(...["volumes", "images", "rates"].map((id) => chart(series(id))));
+byId("filters").append(...data.filters.map((f) => pair(`filter-${f.name}`, f.name, f.largest_difference)));
+fillScale();
+fillQuality();
+byId("method").append(...[`Renderer: ${data.renderer}; ${data.processors} processors.`,
+  "All setups of a table draw the same views turn by turn, after a first frame that is not timed. Samples are counted on four views, at a quarter of the size.",
+  "vdls.json has all numbers."].map((line) => element("p", {class: "small"}, line)), command(data.command));

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "render/gl/handle.h"
+
+namespace crest::gl {
+
+/// The variants of an engine's shaders, each compiled when it is first needed.
+class ProgramCache {
+ public:
+  /// Shaders are read from `folder`, or, when it is empty, from the program itself.
+  explicit ProgramCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Throws Error for a program that cannot be built and has no last good one.
+  GLuint program(std::string_view vertex, std::string_view fragment, const std::vector<std::string>& defines);
+
+  /// Builds every variant again when it is next needed. Where that fails, the last good one is kept, and
+  /// `error` says why.
+  void reload();
+  const std::string& error() const { return error_; }
+
+ private:
+  struct Variant {
+    ProgramHandle program;
+    bool current = false;  ///< false after reload, until it was built again
+  };
+  std::filesystem::path folder_;
+  std::map<std::pair<std::string, std::vector<std::string>>, Variant> variants_;
+  std::string error_;
+};
+
+}  // namespace crest::gl

@@ -1,0 +1,335 @@
+#include "render/vdls/vdls.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "presets/error.h"
+#include "presets/names.h"
+#include "render/gl/program_cache.h"
+#include "render/gl/uniforms.h"
+#include "render/raycaster/illumination.h"
+#include "render/raycaster/table_textures.h"
+#include "render/raycaster/view_uniforms.h"
+#include "render/raycaster/volume_texture.h"
+#include "render/vdls/gradient_volume.h"
+#include "render/vdls/homo_regions.h"
+#include "render/vdls/layer_textures.h"
+#include "render/vdls/proxy.h"
+
+namespace crest {
+namespace {
+
+using gl::set;
+
+enum Unit : GLuint { volume_unit, gradients_unit, tf_unit, layer_unit, delta_unit };
+constexpr GLuint leaf_counts_binding = 1;
+
+/// The fixed point of the layer samples: 30 bits for the longest side of the box.
+float fixed_unit(const Grid& grid) {
+  const glm::dvec3 size = grid.box_size() / grid.smallest_spacing();
+  return float(std::exp2(std::ceil(std::log2(std::max({size.x, size.y, size.z}))) - 30));
+}
+
+gl::BufferHandle make_buffer(std::size_t bytes, const void* data) {
+  GLuint id = 0;
+  glCreateBuffers(1, &id);
+  glNamedBufferData(id, GLsizeiptr(std::max(bytes, std::size_t(4))), nullptr, GL_STREAM_DRAW);
+  if (data && bytes > 0) glNamedBufferSubData(id, 0, GLsizeiptr(bytes), data);
+  return gl::BufferHandle(id);
+}
+
+/// Squares on the picture, `on_axis` along its longer side.
+struct Leaves {
+  int on_axis, side;
+  Leaves(glm::ivec2 size, int wanted)
+      : on_axis(std::max(wanted, 1)), side((std::max(size.x, size.y) - 1) / on_axis + 1) {}
+  std::size_t count() const { return std::size_t(on_axis) * std::size_t(on_axis); }
+};
+
+}  // namespace
+
+struct Vdls::State {
+  explicit State(std::filesystem::path shader_folder) : programs(std::move(shader_folder)) {}
+
+  gl::ProgramCache programs;
+  gl::VertexArrayHandle vertex_array;
+  VdlsOptions options;
+
+  std::shared_ptr<const Volume> volume;
+  StoredUnits units;  ///< of the volume's texture
+  gl::TextureHandle values, gradients;
+  std::optional<HomoRegions> homo;
+
+  std::optional<TransferFunction> shown;
+  TfTableSize table_size;
+  TfTexture tf;
+  std::optional<Box> visible;    ///< what homo-regions leave of the volume,
+  Illumination visible_by = {};  ///< for this filter
+
+  LayerTextures layers;
+  VdlsWork work;
+
+  void take(const Scene& scene);
+  Box visible_part(const Rendering& rendering);
+  bool is_shaded(const Rendering& rendering) const {
+    return rendering.shading == Shading::gradient && !shows_values(rendering.illumination);
+  }
+  GLuint setup_program(const Rendering& rendering, bool counts);
+  GLuint layers_program(const Rendering& rendering);
+  void bind_volume(const Scene& scene, GLuint program);
+  std::vector<std::uint32_t> set_up(const Scene& scene, const Camera& camera, const gl::RenderTarget& target);
+  Proxy make_proxy(const Scene& scene, const Camera& camera, glm::ivec2 size,
+                   const std::vector<std::uint32_t>& counts);
+  void draw_layers(const Scene& scene, const Camera& camera, glm::ivec2 size, const Proxy& proxy);
+};
+
+std::string why_not_vdls(const Scene& scene) {
+  const Rendering defaults, &r = scene.rendering;
+  const auto only = [](const char* field, auto can, auto asked) {
+    return can == asked ? ""
+                        : fmt::format("the vdls engine renders {} alone, and rendering.{} is {}",
+                                      name_of(can), field, name_of(asked));
+  };
+  for (const std::string& why :
+       {only("mode", Mode::dvr_only, r.mode), only("placement", defaults.placement, r.placement),
+        only("sampling", defaults.sampling, r.sampling),
+        only("classification", defaults.classification, r.classification),
+        only("filter", defaults.filter, r.filter), only("gradient", defaults.gradient, r.gradient)})
+    if (!why.empty()) return why;
+  if (r.adaptive) return "the vdls engine takes all steps alike, and rendering.adaptive is true";
+  if (scene.volume->has_empty_cells())
+    return fmt::format(
+        "the vdls engine renders volumes in which each voxel has a value, and {} has {} without",
+        scene.volume->name, scene.volume->statistics.nan_count + scene.volume->statistics.inf_count);
+  return "";
+}
+
+void Vdls::State::take(const Scene& scene) {
+  if (volume != scene.volume) {
+    shown.reset();
+    volume.reset();
+    homo.reset();
+    gradients = {};
+    values = {};  // the old one's room first
+    units = stored_units(scene.volume->statistics.range);
+    values = upload_volume(*scene.volume, units);
+    volume = scene.volume;
+  }
+  if (shown == scene.tf) return;
+  const ValueRange field = volume->statistics.range;
+  const double spacing = volume->grid.smallest_spacing();
+  table_size = tf_table_size(scene.tf, field, spacing, glm::length(volume->grid.box_size()) / spacing);
+  tf = upload_tf(units.stored(scene.tf), units.stored(field), spacing, table_size.entries);
+  shown = scene.tf;
+  visible.reset();
+}
+
+// A bucket is visible if the TF shows a value in it, or within an entry of its table, which interpolates.
+Box Vdls::State::visible_part(const Rendering& rendering) {
+  const Grid& grid = volume->grid;
+  const Illumination illumination = rendering.illumination;
+  if (!options.homo_regions || !rendering.skipping || shows_values(illumination))
+    return {grid.box_min(), grid.box_max()};
+  if (visible && visible_by == illumination) return *visible;
+  visible_by = illumination;
+  if (!homo) homo = find_homo_regions(*volume);
+  const double entry = 1.001 * tf.range.width() / (tf.entries - 1) / units.scale;
+  const double least =
+      illumination == Illumination::iso_surface ? (1 - 1e-6) * iso_opacity(*shown, homo->range) : 0;
+  return visible.emplace(visible_box(*homo, grid, [&](ValueRange bucket) {
+    const double opacity = largest_opacity(*shown, {bucket.min - entry, bucket.max + entry});
+    return opacity > 0 && opacity >= least;
+  }));
+}
+
+GLuint Vdls::State::setup_program(const Rendering& rendering, bool counts) {
+  Features features;
+  features.illumination = rendering.illumination;
+  std::vector<std::string> defines = shader_defines(features);
+  defines.push_back(fmt::format("COUNTS {:d}", counts));
+  defines.push_back(fmt::format("BACK_TO_FRONT {:d}", options.back_to_front));
+  return programs.program("fullscreen.vert", "vdls_setup.frag", defines);
+}
+
+GLuint Vdls::State::layers_program(const Rendering& rendering) {
+  Features features;
+  features.dvr = true;
+  features.shading = is_shaded(rendering);
+  features.illumination = rendering.illumination;
+  std::vector<std::string> defines = shader_defines(features);
+  defines.push_back(fmt::format("LAYERS {}", options.layers_per_pass));
+  defines.push_back(fmt::format("GRADIENT_VOLUME {:d}", features.shading && options.gradient_volume));
+  defines.push_back(fmt::format("EARLY_TEST {:d}", options.early_test));
+  defines.push_back(fmt::format("BACK_TO_FRONT {:d}", options.back_to_front));
+  return programs.program("vdls_proxy.vert", "vdls_layers.frag", defines);
+}
+
+/// Begins the picture; returns each leaf's greatest sample count.
+std::vector<std::uint32_t> Vdls::State::set_up(const Scene& scene, const Camera& camera,
+                                               const gl::RenderTarget& target) {
+  const Leaves leaves(target.size(), options.leaves);
+  std::vector<std::uint32_t> counts(leaves.count());
+  const gl::BufferHandle buffer = make_buffer(counts.size() * sizeof counts[0], counts.data());
+  const GLuint program = setup_program(scene.rendering, target.has_counts());
+  const Grid& grid = volume->grid;
+  const Box part = visible_part(scene.rendering);
+  set_view(program, scene, camera, target.size());
+  set(program, "fixed_unit", fixed_unit(grid));
+  set(program, "leaf_side", leaves.side);
+  set(program, "leaves", leaves.on_axis);
+  set(program, "visible_min", glm::vec3((part.min - grid.origin) / grid.smallest_spacing()));
+  set(program, "visible_max", glm::vec3((part.max - grid.origin) / grid.smallest_spacing()));
+  glBindFramebuffer(GL_FRAMEBUFFER, layers.setup_framebuffer());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, leaf_counts_binding, buffer.id());
+  glUseProgram(program);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(buffer.id(), 0, GLsizeiptr(counts.size() * sizeof counts[0]), counts.data());
+  return counts;
+}
+
+Proxy Vdls::State::make_proxy(const Scene& scene, const Camera& camera, glm::ivec2 size,
+                              const std::vector<std::uint32_t>& counts) {
+  work = {};
+  Proxy proxy;
+  if (options.leaves > 0) {
+    const Leaves leaves(size, options.leaves);
+    work.nodes = screen_quadtree(counts, leaves.on_axis, leaves.side, options.merge_threshold);
+    proxy = proxy_of(work.nodes);
+  } else {
+    Box box = rendered_box(volume->grid, scene.rendering.clip_box);
+    const Box part = visible_part(scene.rendering);
+    box = {glm::max(box.min, part.min), glm::min(box.max, part.max)};
+    proxy = proxy_of(box, camera, size, int(std::ranges::max(counts)));
+  }
+  const int per_pass = options.layers_per_pass;
+  const auto passes_through = [&](int count) { return (count + per_pass - 1) / per_pass; };
+  work.layers = proxy.layers();
+  work.passes = passes_through(work.layers);
+  for (const ScreenNode& node : work.nodes) {
+    const glm::dvec2 part = glm::min(node.begin + node.side, size) - node.begin;
+    work.drawn_samples += part.x * part.y * passes_through(node.layers) * per_pass;
+  }
+  return proxy;
+}
+
+void Vdls::State::bind_volume(const Scene& scene, GLuint program) {
+  glBindTextureUnit(volume_unit, values.id());
+  set(program, "volume", int(volume_unit));
+  bind_tf_texture(program, tf, tf_unit);
+  bind_illumination(program, scene, units);
+  if (!is_shaded(scene.rendering)) return;
+  set(program, "shading_strength", 1.0f);
+  if (!options.gradient_volume) return;
+  if (!gradients) gradients = upload_gradients(*volume);
+  glBindTextureUnit(gradients_unit, gradients.id());
+  set(program, "gradients", int(gradients_unit));
+}
+
+void Vdls::State::draw_layers(const Scene& scene, const Camera& camera, glm::ivec2 size, const Proxy& proxy) {
+  const gl::BufferHandle corners =
+      make_buffer(proxy.corners.size() * sizeof proxy.corners[0], proxy.corners.data());
+  glVertexArrayVertexBuffer(vertex_array.id(), 0, corners.id(), 0, sizeof proxy.corners[0]);
+  const GLuint program = layers_program(scene.rendering);
+  set_view(program, scene, camera, size);
+  set(program, "fixed_unit", fixed_unit(volume->grid));
+  set(program, "picture_size", glm::vec2(size));
+  bind_volume(scene, program);
+  glBindTextureUnit(delta_unit, layers.delta_vectors());
+  set(program, "delta_vectors", int(delta_unit));
+  set(program, "layer_samples", int(layer_unit));
+  glUseProgram(program);
+  glEnablei(GL_BLEND, 0);
+  set_blending(scene.rendering.illumination, options.back_to_front);
+  for (int pass = 0; pass < work.passes; ++pass) {
+    const int layer = pass * options.layers_per_pass;
+    glBindTextureUnit(layer_unit, layers.layer_samples(pass));
+    glBindFramebuffer(GL_FRAMEBUFFER, layers.pass_framebuffer(pass));
+    set(program, "first_layer", layer);
+    glDrawArrays(GL_TRIANGLES, 0, proxy.corners_beyond(layer));
+  }
+  glDisable(GL_BLEND);
+}
+
+Vdls::Vdls(std::filesystem::path shader_folder) : state_(std::make_unique<State>(std::move(shader_folder))) {
+  GLuint id = 0;
+  glCreateVertexArrays(1, &id);
+  state_->vertex_array = gl::VertexArrayHandle(id);
+  glEnableVertexArrayAttrib(id, 0);
+  glVertexArrayAttribFormat(id, 0, 2, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayAttribBinding(id, 0, 0);
+}
+Vdls::~Vdls() = default;
+Vdls::Vdls(Vdls&&) noexcept = default;
+
+void Vdls::set_options(const VdlsOptions& options) { state_->options = options; }
+
+void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
+  if (const std::string why = why_not_vdls(scene); !why.empty()) throw Error(why);
+  State& s = *state_;
+  s.take(scene);
+  s.layers.attach(target);
+  glViewport(0, 0, target.size().x, target.size().y);
+  glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
+  glEnable(GL_SCISSOR_TEST);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glBindVertexArray(s.vertex_array.id());
+  const auto counts = s.set_up(scene, camera, target);
+  const Proxy proxy = s.make_proxy(scene, camera, target.size(), counts);
+  if (proxy.layers() > 0) s.draw_layers(scene, camera, target.size(), proxy);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
+  state_->take(scene);
+  const VdlsOptions& o = state_->options;
+  PictureNeed need;
+  const auto add = [&](bool in, const char* name, const std::string& why_not) {
+    if (in)
+      need.features.in.emplace_back(name);
+    else
+      need.features.left_out.emplace_back(name, why_not);
+  };
+  const std::string off = "it is switched off";
+  const bool values_alone = shows_values(scene.rendering.illumination);
+  const std::string illumination =
+      fmt::format("rendering.illumination is {}", name_of(scene.rendering.illumination));
+  add(true, "layers", "");
+  add(o.homo_regions && scene.rendering.skipping && !values_alone, "homo_regions",
+      !o.homo_regions             ? off
+      : !scene.rendering.skipping ? "rendering.skipping is false"
+                                  : illumination);
+  add(o.leaves > 0, "screen_quadtree", off);
+  add(o.early_test, "early_outside_volume_test", off);
+  add(o.layers_per_pass > 1, "segmented_traversal", off);
+  const bool shading = state_->is_shaded(scene.rendering);
+  const std::string unshaded = values_alone ? illumination : "rendering.shading is none";
+  add(shading, "shading", unshaded);
+  add(shading && o.gradient_volume, "gradient_volume", shading ? off : unshaded);
+  add(false, "early_termination", "a layer does not see what lies before it");
+
+  const glm::ivec3 dims = state_->volume->grid.dims;
+  need.gpu_data.push_back({"volume", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
+                           state_->volume->grid.point_count() * sizeof(float)});
+  if (shading && o.gradient_volume)
+    need.gpu_data.push_back({"gradients", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
+                             state_->volume->grid.point_count() * 4 * sizeof(GLshort)});
+  need.gpu_data.push_back({"transfer_function", fmt::format("{} entries", state_->table_size.entries),
+                           std::size_t(state_->table_size.entries) * 4 * sizeof(float)});
+  need.gpu_data.push_back(
+      {"layers", fmt::format("3 x {}x{} pixels", size.x, size.y), LayerTextures::bytes(size)});
+  need.tf_error = state_->table_size.error;
+  return need;
+}
+
+const VdlsWork& Vdls::last_work() const { return state_->work; }
+void Vdls::reload_shaders() { state_->programs.reload(); }
+const std::string& Vdls::shader_error() const { return state_->programs.error(); }
+
+}  // namespace crest

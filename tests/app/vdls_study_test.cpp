@@ -1,0 +1,50 @@
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace crest::test {
+namespace {
+
+using nlohmann::json;
+using VdlsStudy = ProgramTest;
+
+// Small, it has all its parts, and both engines show the same.
+TEST_F(VdlsStudy, HasAllItsParts) {
+  const Outcome outcome =
+      run({"report", "--study", "vdls", "--size", "24x24", "--budget", "1s", "-o", path("out")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json study = json::parse(content_of(path("out/vdls.json")));
+  EXPECT_EQ(study["format"], "crest-vdls-study");
+  ASSERT_EQ(study["table"].size(), 6u);
+  for (const json& row : study["table"]) {
+    EXPECT_LT(row["largest_difference"]["same_gradients"].get<double>(), 1e-4) << row["id"];
+    ASSERT_EQ(row["timings"].size(), 4u);
+    const double basic = row["timings"][0]["samples"], enhanced = row["timings"][1]["samples"];
+    EXPECT_GT(basic, 0);
+    EXPECT_LE(enhanced, basic);
+    EXPECT_EQ(row["timings"][2]["samples"], basic);  // the ray caster's without skipping
+    for (const json& timing : row["timings"]) EXPECT_GT(timing["frame_ms"].get<double>(), 0);
+  }
+  std::vector<std::string> ids;
+  for (const json& series : study["series"]) ids.push_back(series["id"]);
+  EXPECT_EQ(ids,
+            (std::vector<std::string>{"intervals", "quadtrees", "layers", "volumes", "images", "rates"}));
+  for (const std::size_t scaling : {3, 4, 5})
+    for (const json& fit : study["series"][scaling]["fits"]) EXPECT_TRUE(fit["exponent"].is_number());
+  ASSERT_EQ(study["filters"].size(), 6u);
+  for (const json& filter : study["filters"])
+    EXPECT_LT(filter["largest_difference"]["same_gradients"].get<double>(), 1e-4);
+  for (const json& quality : study["quality"]) EXPECT_LT(quality["rmse"].get<double>(), 0.05);
+  EXPECT_EQ(study["quality"][0]["rmse"].get<double>() > 0, true);
+  EXPECT_NEAR(study["quality"][0]["rmse"], study["quality"][1]["rmse"], 1e-6);  // the same samples
+  const std::string page = content_of(path("out/vdls.html"));
+  EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
+}
+
+TEST_F(VdlsStudy, TakesAFolder) {
+  expect_error(1, {"report", "builtin:sphere", "--study", "vdls", "-o", path("out")},
+               {"builtin:sphere", "folder", "bonsai"});
+}
+
+}  // namespace
+}  // namespace crest::test

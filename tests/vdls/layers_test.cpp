@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "presets/error.h"
+#include "presets/names.h"
+#include "tests/vdls/fixture.h"
+
+namespace crest::testing {
+namespace {
+
+using Layers = VdlsTest;
+
+/// All ways of working, each speed-up on and off.
+std::vector<VdlsOptions> all_options() {
+  std::vector<VdlsOptions> list;
+  for (const bool homo_regions : {false, true})
+    for (const int leaves : {0, 8, 32})
+      for (const bool early_test : {false, true})
+        for (const int layers_per_pass : {1, 2, 7})
+          for (const bool back_to_front : {false, true})
+            list.push_back({homo_regions, leaves, 3, early_test, layers_per_pass, back_to_front});
+  return list;
+}
+
+std::string text_of(const VdlsOptions& o) {
+  return fmt::format("homo {} leaves {} early {} layers {} btf {}", o.homo_regions, o.leaves, o.early_test,
+                     o.layers_per_pass, o.back_to_front);
+}
+
+// The samples are the ray caster's, so the picture is, too, whatever the speed-ups.
+TEST_F(Layers, EverySpeedUpGivesTheRayCastersPicture) {
+  const Scene scene = dvr_scene(builtin("sphere?n=24"), "smooth-haze");
+  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Image expected = render(scene, camera, {40, 40}, Engine::raycaster);
+  EXPECT_GT(expected.at(20, 20).a, 0.1f);
+  for (const VdlsOptions& options : all_options()) {
+    renderer.vdls().set_options(options);
+    EXPECT_LT(largest_difference(render(scene, camera, {40, 40}, Engine::vdls), expected), rounding)
+        << text_of(options);
+  }
+}
+
+// From everywhere: afar, beside the volume, in it, with it behind the eye or partly so, and along an axis,
+// where each ray's length is a whole number of steps.
+TEST_F(Layers, FromEverywhere) {
+  const auto volume = builtin("gyroid?n=20");
+  const Grid& grid = volume->grid;
+  const glm::dvec3 middle = grid.origin + 0.5 * grid.box_size(), size = grid.box_size();
+  std::vector<Camera> cameras{whole_volume_camera(grid), along_z(grid, 1.5 * size.x), along_z(grid, size.x)};
+  for (const glm::dvec3 eye : {glm::dvec3(0), {0.2, 0.1, -0.3}, {0, 0, -0.5}, {0.6, 0, 0.2}, {0.5, 0.5, 0.5}})
+    for (const glm::dvec3 towards : {glm::dvec3(0.3, -0.2, 1), {-1, 0.1, -0.2}})
+      cameras.push_back({middle + eye * size, middle + (eye + towards) * size, {0, 1, 0}, 70, ""});
+  for (const double step : {0.25, 1.0, 3.7, 100.0})
+    for (const Camera& camera : cameras)
+      for (const VdlsOptions& options : {VdlsOptions{}, VdlsOptions::basic()})
+        EXPECT_LT(difference(dvr_scene(volume, "smooth-haze", step), camera, options), rounding)
+            << step << ' ' << text_of(options);
+}
+
+// Planes only bring new entry and exit points; grids need not be cubes, nor their cells.
+TEST_F(Layers, ClipBoxesAndOddGrids) {
+  Volume odd = make_builtin("gyroid?n=21");
+  odd.grid.spacing = {1, 1.7, 0.6};
+  odd.grid.origin = {-7, 100, 0.5};
+  const auto volume = std::make_shared<const Volume>(odd);
+  Scene scene = dvr_scene(volume, "smooth-haze");
+  const glm::dvec3 low = odd.grid.box_min(), size = odd.grid.box_size();
+  for (const ClipBox& box :
+       {ClipBox{low - size, low + 2.0 * size, ""},
+        {low + glm::dvec3(0.31, 0.2, 0.05) * size, low + glm::dvec3(0.8, 0.9, 0.55) * size, ""},
+        {low + size, low + 2.0 * size, ""}})
+    for (const glm::ivec2 pixels : {glm::ivec2(48, 31), {17, 50}})
+      for (const VdlsOptions& options : {VdlsOptions{}, VdlsOptions::basic()}) {
+        scene.rendering.clip_box = box;
+        EXPECT_LT(difference(scene, whole_volume_camera(odd.grid), options, pixels), rounding);
+      }
+}
+
+// The counts are the ray caster's, but for the transparent samples that are leapt over.
+TEST_F(Layers, Counts) {
+  Scene scene = dvr_scene(builtin("sphere?n=24"), "smooth-haze");
+  const Camera camera = whole_volume_camera(scene.volume->grid);
+  scene.rendering.skipping = false;
+  const auto expected = counts(scene, camera, {32, 32}, Engine::raycaster);
+  renderer.vdls().set_options(VdlsOptions::basic());
+  const auto all = counts(scene, camera, {32, 32}, Engine::vdls);
+  renderer.vdls().set_options({});
+  scene.rendering.skipping = true;
+  const auto leapt = counts(scene, camera, {32, 32}, Engine::vdls);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(all[i].samples, expected[i].samples);
+    EXPECT_EQ(all[i].hit, expected[i].hit);
+    EXPECT_LE(leapt[i].samples, all[i].samples);
+  }
+}
+
+// A picture drawn in tiles is the same.
+TEST_F(Layers, Tiles) {
+  Scene scene = dvr_scene(builtin("gyroid?n=20"), "smooth-haze");
+  scene.rendering.engine = Engine::vdls;
+  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Image whole = render(scene, camera, {40, 40}, Engine::vdls);
+  gl::RenderTarget target({40, 40}, false);
+  for (const Tile& tile : {Tile{{0, 0}, {40, 7}}, {{0, 7}, {13, 40}}, {{13, 7}, {40, 40}}})
+    renderer.draw(scene, camera, target, tile);
+  EXPECT_EQ(target.read_color().pixels, whole.pixels);
+}
+
+// What it does not render, it says.
+TEST_F(Layers, RefusesWhatItDoesNotRender) {
+  Scene scene = dvr_scene(builtin("sphere?n=8"), "smooth-haze");
+  EXPECT_EQ(why_not_vdls(scene), "");
+  gl::RenderTarget target({8, 8}, false);
+  for (const Mode mode : {Mode::both, Mode::peak_xor_dvr, Mode::peak_only}) {
+    scene.rendering.mode = mode;
+    EXPECT_EQ(why_not_vdls(scene),
+              "the vdls engine renders DVR_ONLY alone, and rendering.mode is " + std::string(name_of(mode)));
+    EXPECT_THROW(renderer.vdls().draw(scene, {}, target, {{0, 0}, {8, 8}}), Error);
+  }
+  scene.rendering.mode = Mode::dvr_only;
+  scene.rendering.placement = Placement::eye;
+  EXPECT_NE(why_not_vdls(scene), "");
+  scene.rendering.placement = Rendering{}.placement;
+  Volume holed = *scene.volume;
+  holed.values[5] = std::numeric_limits<float>::quiet_NaN();
+  holed.statistics = compute_statistics(holed.grid, holed.values);
+  scene.volume = std::make_shared<const Volume>(holed);
+  EXPECT_NE(why_not_vdls(scene).find("1 without"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace crest::testing
