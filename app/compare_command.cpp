@@ -22,6 +22,7 @@ struct LabelledPicture {
   Image image;
   std::string label;
   nlohmann::ordered_json statistics;
+  std::vector<std::string> warnings;
 };
 
 struct Comparison {
@@ -55,8 +56,9 @@ Comparison compare_on_gpu(const std::vector<Scene>& scenes, const Camera& camera
   auto& pictures = comparison.pictures;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const Rendering& rendering = scenes[i].rendering;
-    pictures.push_back({std::move(measured[i].image), std::string(name_of(rendering.mode)), {}});
-    if (rendering.engine == Engine::vdls) pictures.back().label += ": vdls";
+    std::string label(name_of(rendering.mode));
+    if (rendering.engine == Engine::vdls) label += ": vdls";
+    pictures.push_back({std::move(measured[i].image), std::move(label), {}, measured[i].warnings});
     if (options.json) pictures.back().statistics = statistics_json(measured[i], renderer, scenes[i]);
   }
   return comparison;
@@ -70,7 +72,7 @@ Comparison compare_exactly(const std::vector<Scene>& scenes, const Camera& camer
     comparison.pictures.push_back(
         {exact[i].reference.image(),
          fmt::format("{}: {}", name_of(scenes[i].rendering.mode), name_of(exact[i].answer)),
-         statistics_json(exact[i], scenes[i])});
+         statistics_json(exact[i], scenes[i]), exact[i].warnings});
   return comparison;
 }
 
@@ -89,6 +91,10 @@ void compare_modes(const CompareOptions& options) {
   Comparison comparison = compare(scenes, camera_of(preset, *volume), options.picture);
   write_image(options.picture.output, grid_of(comparison.pictures, preset.rendering.background),
               preset.rendering.background);
+  std::vector<std::string> warnings;
+  for (const auto& picture : comparison.pictures)
+    warnings.insert(warnings.end(), picture.warnings.begin(), picture.warnings.end());
+  print_warnings(warnings);
   if (!options.picture.json) return;
   nlohmann::ordered_json json;
   for (auto& picture : comparison.pictures) json["modes"].push_back(std::move(picture.statistics));

@@ -1,24 +1,25 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace crest {
 
-/// Makes a folder, and those above it, unless it is there: whether it is new. Throws Error.
-bool make_folder(const std::filesystem::path& folder);
+/// Makes a folder, and those above it, unless they are there: those that are new, the outermost first. Throws
+/// Error where that is not possible, or nothing can be written into it; then nothing is left of it.
+std::vector<std::filesystem::path> make_folder(const std::filesystem::path& path);
 
 /// The folder that a command writes its files into: made before any work, so that a wrong one is told at
-/// once, and taken away in the end if it is new and nothing came into it.
+/// once. What is new of it and those above it is taken away in the end if nothing came into it.
 class OutputFolder {
  public:
-  explicit OutputFolder(std::filesystem::path folder);
+  explicit OutputFolder(const std::filesystem::path& path) : made_(make_folder(path)) {}
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
  private:
-  std::filesystem::path folder_;
-  bool is_new_;
+  std::vector<std::filesystem::path> made_;
 };
 
 }  // namespace crest

@@ -1,9 +1,13 @@
 #include "app/picture.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "presets/names.h"
 #include "render/measure/timing.h"
+#include "render/raycaster/limits.h"
 
 namespace crest {
 
@@ -16,6 +20,7 @@ std::vector<MeasuredPicture> measure_pictures(Renderer& renderer, const std::vec
     pictures[i].first_frame_ms = finished_ms([&] { renderer.draw(scenes[i], camera, target); });
     pictures[i].image = target.read_color();
     pictures[i].need = renderer.need(scenes[i], camera, size);
+    pictures[i].warnings = scene_warnings(scenes[i], camera, size);
   }
   for (int frame = 1; frame < frames; ++frame)
     for (std::size_t i = 0; i < scenes.size(); ++i)
@@ -28,6 +33,12 @@ std::vector<MeasuredPicture> measure_pictures(Renderer& renderer, const std::vec
       pictures[i].counts = sum_of(renderer.draw_counts(scenes[i], camera, counted));
   }
   return pictures;
+}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (auto warning = warnings.begin(); warning != warnings.end(); ++warning)
+    if (std::find(warnings.begin(), warning, *warning) == warning)
+      fmt::print(stderr, "crest: warning: {}\n", *warning);
 }
 
 nlohmann::ordered_json peaks_json(const std::vector<Peak>& surfaces) {
@@ -71,6 +82,7 @@ nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Renderer&
   json["hit_rays"] = counts.hit_pixels;
   json["peaks"] = peaks_json(classification.surfaces);
   add_need(json, picture.need);
+  json["warnings"] = picture.warnings;
   return json;
 }
 

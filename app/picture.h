@@ -14,7 +14,8 @@ struct MeasuredPicture {
   double first_frame_ms = 0;     ///< with uploads and compilation
   std::vector<double> frame_ms;  ///< the frames after it; the first one where it is the only one
   RenderCounts counts;
-  PictureNeed need;  ///< what it was made from
+  PictureNeed need;                   ///< what it was made from
+  std::vector<std::string> warnings;  ///< scene_warnings()
 };
 
 /// Renders each scene `frames` times, turn by turn, so that their times can be compared.
@@ -26,6 +27,9 @@ std::vector<MeasuredPicture> measure_pictures(Renderer& renderer, const std::vec
 /// The statistics of one picture, as `--json` prints them.
 nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Renderer& renderer,
                                        const Scene& scene);
+
+/// Tells them on stderr, each once: when the work is done, so that an error stays a single line.
+void print_warnings(const std::vector<std::string>& warnings);
 
 /// Surfaces as statistics list them.
 nlohmann::ordered_json peaks_json(const std::vector<Peak>& surfaces);

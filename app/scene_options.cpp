@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <regex>
 
 #include "presets/error.h"
 #include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/camera.h"
+#include "render/gl/render_target.h"
 
 namespace crest {
 namespace {
@@ -45,6 +48,13 @@ void SceneOptions::add_to(CLI::App& app) {
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);  // one value each: what follows is VOLUME
   app.add_flag("--fit-range", fit_range, "Map the transfer function's span onto the volume's range");
+}
+
+bool SceneOptions::has_any() const {
+  const auto is_given = [](const std::string& text) { return !text.empty(); };
+  return fit_range || !sets.empty() ||
+         std::ranges::any_of(std::array{preset, mode, engine, illumination, step, eye, target, up, fov},
+                             is_given);
 }
 
 Preset SceneOptions::read_preset(const Volume& loaded) const {
@@ -89,13 +99,17 @@ void PictureOptions::add_to(CLI::App& app) {
   app.add_flag("--json", json, "Print statistics as JSON");
 }
 
-glm::ivec2 PictureOptions::pixels() const {
+glm::ivec2 pixels_of(const std::string& size) {
   std::smatch match;
   static const std::regex form(R"(([1-9]\d{0,5})x([1-9]\d{0,5}))");
   if (!std::regex_match(size, match, form))
     throw CLI::ValidationError("--size", fmt::format("'{}' is not WIDTHxHEIGHT, as in 512x512", size));
-  return {std::stoi(match[1]), std::stoi(match[2])};
+  const glm::ivec2 pixels(std::stoi(match[1]), std::stoi(match[2]));
+  gl::require_size(pixels);
+  return pixels;
 }
+
+std::string some_text(const std::string& text) { return text.empty() ? "it is empty" : ""; }
 
 Camera camera_of(const Preset& preset, const Volume& volume) {
   return preset.camera ? *preset.camera : whole_volume_camera(volume.grid);

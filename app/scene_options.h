@@ -19,11 +19,19 @@ struct SceneOptions {
   bool fit_range = false;
 
   void add_to(CLI::App& app);
+  bool has_any() const;  ///< whether anything but the volume was said
 
   /// The preset with all that was said on the command line for this volume; without --preset, one with the
   /// default TF. Throws Error.
   Preset read_preset(const Volume& loaded) const;
 };
+
+/// The WIDTHxHEIGHT of --size. Throws CLI::ValidationError for another text, Error for a picture that is too
+/// large.
+glm::ivec2 pixels_of(const std::string& size);
+
+/// For an option that must not be empty.
+std::string some_text(const std::string& text);
 
 /// The options of a picture.
 struct PictureOptions {
@@ -32,8 +40,8 @@ struct PictureOptions {
   bool json = false;
 
   void add_to(CLI::App& app);
-  /// Throws Error.
-  glm::ivec2 pixels() const;
+  /// Throws as pixels_of().
+  glm::ivec2 pixels() const { return pixels_of(size); }
 };
 
 /// The preset's camera, or the one that has the whole volume in view.

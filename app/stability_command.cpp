@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -8,16 +8,15 @@
 #include "app/offscreen_context.h"
 #include "app/output_folder.h"
 #include "app/progress.h"
-#include "app/report/page.h"
 #include "app/scene_options.h"
-#include "presets/atomic_file.h"
+#include "app/stability_files.h"
 #include "presets/error.h"
+#include "render/reference/reference.h"
 #include "render/stability/table.h"
 
 namespace crest {
 namespace {
 
-namespace fs = std::filesystem;
 using stability::Row;
 using stability::Verdict;
 
@@ -34,69 +33,42 @@ void print_table(const std::vector<Row>& rows) {
                row.measured, name_of(row.verdict));
 }
 
-nlohmann::ordered_json json_of(const std::vector<Row>& rows, const std::string& renderer) {
-  nlohmann::ordered_json json = {{"renderer", renderer}, {"rows", nlohmann::ordered_json::array()}};
-  for (const Row& row : rows) {
-    nlohmann::ordered_json item = {{"group", row.group},
-                                   {"case", row.claim.name},
-                                   {"quantity", row.claim.quantity},
-                                   {"truth", name_of(row.claim.truth)},
-                                   {"bound", row.claim.bound},
-                                   {"measured", row.measured},
-                                   {"verdict", name_of(row.verdict)},
-                                   {"worst_at", row.at},
-                                   {"pixels_not_finite", row.not_finite},
-                                   {"pixels_covered", row.covered},
-                                   {"pixels_grazing", row.left_out}};
-    if (row.claim.limit)
-      item["limit"] = {{"bound", row.claim.limit->bound},
-                       {"why", row.claim.limit->why},
-                       {"warnings", row.claim.limit->warnings}};
-    json["rows"].push_back(std::move(item));
-  }
-  return json;
-}
-
-/// The pictures go into the page and nowhere else.
-void write_stability_page(const fs::path& folder, const std::vector<Row>& rows, nlohmann::ordered_json data) {
-  const fs::path picture = folder / ".picture.png";
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].picture.pixels.empty()) continue;
-    write_image(picture, rows[i].picture, glm::vec3(0));
-    data["rows"][i]["picture"] = data_address(picture);
-  }
-  fs::remove(picture);
-  write_page(folder / "stability.html", "Stiff and extreme cases", web_file("stability.html"),
-             web_file("stability.js"), data);
-}
-
-std::vector<Row> measure_rows(stability::Lab& lab) {
+/// All rows, with a progress bar. Throws Error when it is interrupted.
+std::vector<Row> measure_rows(Raycaster& raycaster, glm::ivec2 size) {
+  const Interrupt interrupt;
   ProgressBar bar;
-  std::size_t done = 0;
-  const auto count = double(stability::all_cases().size());
-  return stability::run_all(lab,
-                            [&](const stability::Case& one) { bar.show(double(done++) / count, one.name); });
+  const auto cases = stability::all_cases();
+  stability::Lab lab{raycaster, size, interrupt.token()};
+  try {
+    return stability::run(lab, cases, [&](const stability::Case& next) {
+      bar.show(double(&next - cases.data()) / double(cases.size()), next.name);
+    });
+  } catch (const Cancelled&) {
+    throw Error("stopped before the table was done; nothing is written");
+  }
+}
+
+glm::ivec2 square_pixels(const std::string& text) {
+  const glm::ivec2 size = pixels_of(text);
+  if (size.x != size.y || size.x < stability::least_side)
+    throw CLI::ValidationError("--size", fmt::format("'{}' is not a square of at least {}x{}", text,
+                                                     stability::least_side, stability::least_side));
+  return size;
 }
 
 void run_stability(const StabilityOptions& options) {
-  PictureOptions picture;
-  picture.size = options.size;
-  const glm::ivec2 size = picture.pixels();
+  const glm::ivec2 size = square_pixels(options.size);
   std::optional<OutputFolder> folder;
   if (!options.output.empty()) folder.emplace(options.output);
   const OffscreenContext context(options.device);
   Raycaster raycaster;
-  stability::Lab lab{raycaster, size};
-  const std::vector<Row> rows = measure_rows(lab);
-  const auto json = json_of(rows, context.renderer());
+  const std::vector<Row> rows = measure_rows(raycaster, size);
+  const Json json = stability_json(rows, context.renderer());
+  if (folder) write_stability(rows, json, options.output);
   if (options.json)
     fmt::print("{}\n", json.dump(2));
   else
     print_table(rows);
-  if (!options.output.empty()) {
-    write_file_atomically(fs::path(options.output) / "stability.json", json.dump(2) + "\n");
-    write_stability_page(options.output, rows, json);
-  }
   const auto failed = std::ranges::count(rows, Verdict::fail, &Row::verdict);
   if (failed > 0) throw Error(fmt::format("{} of {} cases do not keep their bound", failed, rows.size()));
 }
@@ -108,8 +80,9 @@ void add_stability_command(CLI::App& app, Action& chosen) {
   CLI::App* command =
       app.add_subcommand("stability", "Stiff and extreme cases: what is kept, and what is not");
   command->add_option("-o,--output", options->output, "The folder for stability.json and stability.html")
+      ->check(some_text)
       ->type_name("DIR");
-  command->add_option("--size", options->size, "Width x height of its pictures")
+  command->add_option("--size", options->size, "Width x height of its pictures, which are square")
       ->capture_default_str()
       ->type_name("WxH");
   command->add_option("--device", options->device,

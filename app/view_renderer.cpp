@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/measure/timing.h"
+#include "render/raycaster/limits.h"
 
 namespace crest {
 namespace {
@@ -24,6 +25,11 @@ Scene coarse_scene(Scene scene, int coarseness) {
   return scene;
 }
 
+std::vector<std::string> warnings_of(const ViewRequest& request) {
+  if (request.size.x <= 0 || !request.scene.volume) return {};
+  return scene_warnings(request.scene, request.camera, request.size);
+}
+
 }  // namespace
 
 bool ViewRequest::operator==(const ViewRequest& other) const {
@@ -39,6 +45,7 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
     View& view = views_[i];
     if (requests[i] == view.wanted) continue;
     view.wanted = requests[i];
+    view.warnings = warnings_of(view.wanted);
     ++view.wanted_version;
     view.is_counted = false;
     const bool keep = view.pass && view.pass->coarseness > 1 && view.pass->request.size == view.wanted.size &&
@@ -164,6 +171,7 @@ ViewPicture ViewRenderer::picture(int index) const {
   const View& view = views_[std::size_t(index)];
   ViewPicture picture;
   picture.need = view.need;
+  picture.warnings = view.warnings;
   if (!view.display) return picture;
   const bool done = view.shown_coarseness == 1 && view.shown_version == view.wanted_version;
   picture.texture = view.display->texture();

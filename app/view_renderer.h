@@ -53,6 +53,7 @@ class ViewRenderer {
   };
   struct View {
     ViewRequest wanted;
+    std::vector<std::string> warnings;  ///< of `wanted`
     std::uint64_t wanted_version = 0, shown_version = 0;
     int shown_coarseness = 0;  ///< 0: nothing is shown
     std::optional<Pass> pass;

@@ -23,8 +23,7 @@ std::vector<std::uint8_t> rgb_bytes(const Image& image) {
 }
 
 /// The whole file in memory: OpenImageIO does not notice that a PNG was cut off by a full disk.
-std::vector<unsigned char> encode(const std::filesystem::path& path, const OIIO::ImageSpec& spec,
-                                  const void* pixels) {
+std::string encode(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const void* pixels) {
   std::vector<unsigned char> file;
   OIIO::Filesystem::IOVecOutput memory(file);
   const auto output = OIIO::ImageOutput::create(path.string());
@@ -32,12 +31,16 @@ std::vector<unsigned char> encode(const std::filesystem::path& path, const OIIO:
       !output->write_image(spec.format, pixels) || !output->close())
     throw Error(fmt::format("{}: cannot be written: {}", path.string(),
                             output ? output->geterror() : OIIO::geterror()));
-  return file;
+  return {file.begin(), file.end()};
 }
 
-void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const void* pixels) {
-  const auto file = encode(path, spec, pixels);
-  write_file_atomically(path, std::string_view(reinterpret_cast<const char*>(file.data()), file.size()));
+std::string encode_png(const std::filesystem::path& path, const Image& image, glm::vec3 background) {
+  const auto bytes = rgb_bytes(over_background(image, background));
+  return encode(path, {image.size.x, image.size.y, 3, OIIO::TypeDesc::UINT8}, bytes.data());
+}
+
+std::string encode_exr(const std::filesystem::path& path, const Image& image) {
+  return encode(path, {image.size.x, image.size.y, 4, OIIO::TypeDesc::FLOAT}, image.pixels.data());
 }
 
 }  // namespace
@@ -49,16 +52,14 @@ Image over_background(Image image, glm::vec3 background) {
 
 void write_image(const std::filesystem::path& path, const Image& image, glm::vec3 background) {
   const auto extension = path.extension();
-  if (extension == ".png") {
-    const auto bytes = rgb_bytes(over_background(image, background));
-    const OIIO::ImageSpec spec(image.size.x, image.size.y, 3, OIIO::TypeDesc::UINT8);
-    write_pixels(path, spec, bytes.data());
-  } else if (extension == ".exr") {
-    const OIIO::ImageSpec spec(image.size.x, image.size.y, 4, OIIO::TypeDesc::FLOAT);
-    write_pixels(path, spec, image.pixels.data());
-  } else {
+  if (extension != ".png" && extension != ".exr")
     throw Error(fmt::format("{}: a picture's name ends with .png or .exr", path.string()));
-  }
+  write_file_atomically(path,
+                        extension == ".png" ? encode_png(path, image, background) : encode_exr(path, image));
+}
+
+std::string png_of(const Image& image, glm::vec3 background) {
+  return encode_png("picture.png", image, background);
 }
 
 Image read_image(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <string>
 #include <vector>
 
 namespace crest {
@@ -25,6 +26,9 @@ Image over_background(Image image, glm::vec3 background);
 /// background). Throws Error for another ending, or when it cannot be written; the file appears whole or not
 /// at all.
 void write_image(const std::filesystem::path& path, const Image& image, glm::vec3 background);
+
+/// What such a .png holds.
+std::string png_of(const Image& image, glm::vec3 background);
 
 /// Reads an image file as premultiplied RGBA (alpha 1 where it has none). Throws Error.
 Image read_image(const std::filesystem::path& path);

@@ -17,6 +17,7 @@ inline constexpr ImU32 dim = IM_COL32(142, 149, 160, 255);
 inline constexpr ImU32 faint = IM_COL32(96, 103, 114, 255);
 inline constexpr ImU32 accent = IM_COL32(94, 166, 232, 255);
 inline constexpr ImU32 good = IM_COL32(124, 214, 140, 255);
+inline constexpr ImU32 warning = IM_COL32(238, 190, 90, 255);
 inline constexpr ImU32 error = IM_COL32(240, 110, 96, 255);
 }  // namespace palette
 

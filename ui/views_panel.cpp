@@ -11,6 +11,7 @@
 #include "ui/mode_text.h"
 #include "ui/style.h"
 #include "ui/view_overlay.h"
+#include "ui/warning_sign.h"
 
 namespace crest {
 namespace {
@@ -34,7 +35,7 @@ void right_aligned(const char* text, float right) {
   ImGui::TextDisabled("%s", text);
 }
 
-/// The name, what it costs, and what it shows.
+/// The name, whether it may be off, what it costs, and what it shows.
 void caption(int index, StudioState& state, const ViewPicture& view, Engine engine) {
   const Mode mode = view_modes[std::size_t(index)];
   std::string name(name_of(mode));
@@ -42,10 +43,16 @@ void caption(int index, StudioState& state, const ViewPicture& view, Engine engi
   const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX();
   const bool enlarged = state.views.enlarged == index;
   ImGui::TextUnformatted(name.c_str());
+  float named = ImGui::CalcTextSize(name.c_str()).x;
+  if (!view.warnings.empty()) {
+    ImGui::SameLine(0, scaled(8));
+    warning_sign(state.widgets, fmt::format("warning{}", index), view.warnings);
+    named += scaled(8) + ImGui::GetItemRectSize().x;
+  }
   const char* action = enlarged ? "restore" : "enlarge";
   const float button = ImGui::CalcTextSize(action).x + 2 * ImGui::GetStyle().FramePadding.x;
   const std::string cost = cost_text(view);
-  const float cost_room = width - button - scaled(8) - ImGui::CalcTextSize(name.c_str()).x - scaled(12);
+  const float cost_room = width - button - scaled(8) - named - scaled(12);
   if (!cost.empty() && ImGui::CalcTextSize(cost.c_str()).x < cost_room)
     right_aligned(cost.c_str(), start + width - button - scaled(8));
   ImGui::SameLine(start + width - button);

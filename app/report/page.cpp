@@ -31,6 +31,10 @@ std::string script_text(const Json& data) {
   return text;
 }
 
+std::string address_of(std::string_view png) {
+  return "data:image/png;base64," + OIIO::Strutil::base64_encode(png);
+}
+
 }  // namespace
 
 std::string utc_now() {
@@ -67,7 +71,11 @@ void write_page(const std::filesystem::path& path, std::string_view title, std::
 }
 
 std::string data_address(const std::filesystem::path& png) {
-  return "data:image/png;base64," + OIIO::Strutil::base64_encode(read_file(png, largest_picture));
+  return address_of(read_file(png, largest_picture));
+}
+
+std::string data_address(const Image& image, glm::vec3 background) {
+  return address_of(png_of(image, background));
 }
 
 }  // namespace crest

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "presets/json_text.h"
+#include "render/image.h"
 
 namespace crest {
 
@@ -19,7 +20,9 @@ std::string utc_now();
 /// A file of app/report/web, by its name: "report.html".
 std::string_view web_file(std::string_view name);
 
-/// A file as a "data:" address, to be shown by a page without it. PNG only.
+/// A picture as a "data:" address, to be shown by a page without a file: one of a PNG file, or one that has
+/// none.
 std::string data_address(const std::filesystem::path& png);
+std::string data_address(const Image& image, glm::vec3 background);
 
 }  // namespace crest

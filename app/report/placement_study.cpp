@@ -6,6 +6,7 @@
 
 #include "app/offscreen_context.h"
 #include "app/output_folder.h"
+#include "app/progress.h"
 #include "app/report/page.h"
 #include "app/report/report_pictures.h"
 #include "presets/atomic_file.h"
@@ -30,15 +31,17 @@ PlacementScene border_scene_of(const SceneOptions& options) {
 void study_scenes(PlacementReport& report, Raycaster& raycaster, const StudyOptions& options) {
   const PlacementScene border = border_scene_of(options.scene), clipped = clipped_plume();
   const glm::ivec2 size = options.size.value_or(scene_size);
+  constexpr double parts = 5;  // four scenes, and the frame times
+  ProgressBar bar;
   const auto add = [&](const PlacementScene& scene, glm::ivec2 pixels) {
-    fmt::print(stderr, "{}\n", scene.title);
+    bar.show(double(report.volumes.size()) / parts, scene.title);
     report.volumes.push_back(study_volume(raycaster, scene, pixels, options.stop));
   };
   add(extruded_square(), options.size.value_or(paper_size));
   report.distance_from_plane = distance_from_plane(report.volumes.front());
   for (const PlacementScene& scene : {border, whole_plume(), clipped}) add(scene, size);
   report.clip_against_crop = clip_against_crop(raycaster, clipped, size);
-  fmt::print(stderr, "frame times\n");
+  bar.show(4 / parts, "frame times");
   report.timed_scene = border.id;
   report.timed_size = size;
   report.times = time_placements(raycaster, border, report.timed_step, size, timed_rounds, options.stop);

@@ -20,21 +20,13 @@
 namespace crest {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct ReportOptions {
   SceneOptions scene;
   std::string output, size = "256x256", study, budget = "120s", target = to_string(default_target());
   int device = -1;
-  bool json = false, size_is_given = false;
+  bool json = false, size_is_given = false, budget_is_given = false;
   std::string command;  ///< as typed
 };
-
-glm::ivec2 pixels_of(const ReportOptions& options) {
-  PictureOptions picture;
-  picture.size = options.size;
-  return picture.pixels();
-}
 
 /// "120s", "2m", "1.5h", "90"; "none" is without a limit.
 std::optional<double> budget_seconds(const std::string& text) {
@@ -106,7 +98,7 @@ std::string render_command(const SceneOptions& scene, const std::string& size, c
 
 Report subject_of(const ReportOptions& options) {
   Report report;
-  report.size = pixels_of(options);
+  report.size = pixels_of(options.size);
   report.settings.budget_seconds = budget_seconds(options.budget);
   report.settings.target = target_error(options.target);
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
@@ -138,7 +130,7 @@ void make_report(const ReportOptions& options, std::stop_token stop) {
       progress.show(doing, done, report.points.size(), taken.count());
     });
   }
-  const fs::path folder = options.output;
+  const std::filesystem::path folder = options.output;
   if (report.points.empty())
     throw Error(fmt::format("{}: nothing was measured: {}", folder.string(),
                             stop.stop_requested() ? "stopped before the first point"
@@ -157,7 +149,7 @@ void run_study(const ReportOptions& options, std::stop_token stop) {
   StudyOptions study_options;
   study_options.folder = options.output;
   study_options.scene = options.scene;
-  if (options.size_is_given) study_options.size = pixels_of(options);
+  if (options.size_is_given) study_options.size = pixels_of(options.size);
   study_options.budget_seconds = budget_seconds(options.budget);
   study_options.device = options.device;
   study_options.json = options.json;
@@ -167,16 +159,33 @@ void run_study(const ReportOptions& options, std::stop_token stop) {
 }
 
 void run_report(const ReportOptions& options) {
-  if (!options.study.empty() && !options.scene.volume.empty() && !find_study(options.study).takes_volume)
-    throw CLI::ValidationError("--study",
-                               fmt::format("{} has scenes of its own: without VOLUME", options.study));
-  if (!options.study.empty()) find_study(options.study);
+  pixels_of(options.size);  // a wrong one is found before any work
   const OutputFolder folder(options.output);
   const Interrupt interrupt;
   if (options.study.empty())
     make_report(options, interrupt.token());
   else
     run_study(options, interrupt.token());
+}
+
+/// Throws CLI::ParseError where one is wrong, or has no part in what is asked for.
+void check_options(const ReportOptions& options) {
+  budget_seconds(options.budget);
+  target_error(options.target);
+  if (options.study.empty()) {
+    if (options.scene.volume.empty()) throw CLI::RequiredError("VOLUME, or --study");
+    return;
+  }
+  const Study& study = find_study(options.study);
+  if (options.budget_is_given && !study.takes_budget)
+    throw CLI::ValidationError("--budget", fmt::format("--study {} takes as long as it takes", study.name));
+  if (!options.scene.volume.empty() && !study.takes_volume)
+    throw CLI::ValidationError("--study",
+                               fmt::format("{} has scenes of its own: without VOLUME", study.name));
+  if (options.scene.volume.empty() && options.scene.has_any())
+    throw CLI::ValidationError(
+        "--study",
+        fmt::format("without VOLUME, {} has scenes of its own: no preset, mode or camera", study.name));
 }
 
 std::string study_help() {
@@ -194,6 +203,7 @@ void add_report_command(CLI::App& app, Action& chosen) {
   options->scene.add_to(*command);
   command->add_option("-o,--output", options->output, "The folder of the report")
       ->required()
+      ->check(some_text)
       ->type_name("DIR");
   command->add_option("--size", options->size, "Width x height in pixels")
       ->capture_default_str()
@@ -201,8 +211,7 @@ void add_report_command(CLI::App& app, Action& chosen) {
   CLI::Option* study = command->add_option("--study", options->study, study_help())->type_name("NAME");
   command->add_option("--budget", options->budget, "Time for all of it: 90s, 2m, 1h, or none")
       ->capture_default_str()
-      ->type_name("TIME")
-      ->excludes(study);
+      ->type_name("TIME");
   command
       ->add_option("--target-error", options->target,
                    "The error that the recommended setting keeps under: share, rmse, max, p999, flip, missed "
@@ -214,8 +223,8 @@ void add_report_command(CLI::App& app, Action& chosen) {
                       "Graphics device (crest list devices); hardware first by default");
   command->add_flag("--json", options->json, "Print report.json, too");
   command->callback([options, command, &chosen] {
-    if (options->study.empty() && options->scene.volume.empty())
-      throw CLI::RequiredError("VOLUME, or --study");
+    options->budget_is_given = command->count("--budget") > 0;
+    check_options(*options);
     options->command = command_text(*command);
     options->size_is_given = command->count("--size") > 0;
     chosen = [options] { run_report(*options); };

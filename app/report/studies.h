@@ -29,6 +29,7 @@ struct StudyOptions {
 struct Study {
   std::string_view name, summary;
   void (*run)(const StudyOptions& options);
+  bool takes_budget = false;  ///< it times frames until the budget is over
   bool takes_volume = false;  ///< VOLUME and the options of its scene, in place of a scene of its own
 };
 

@@ -21,10 +21,15 @@ TextureHandle make_texture(glm::ivec2 size, GLenum format) {
 
 }  // namespace
 
+void require_size(glm::ivec2 size) {
+  constexpr int largest = 16384;
+  if (size.x < 1 || size.y < 1 || size.x > largest || size.y > largest)
+    throw Error(fmt::format("a picture of {}x{} cannot be drawn: each side must be in 1..{}", size.x, size.y,
+                            largest));
+}
+
 RenderTarget::RenderTarget(glm::ivec2 size, bool counts) : size_(size) {
-  if (size.x < 1 || size.y < 1 || size.x > 16384 || size.y > 16384)
-    throw Error(
-        fmt::format("a picture of {}x{} cannot be drawn: each side must be in 1..16384", size.x, size.y));
+  require_size(size);
   color_ = make_texture(size, GL_RGBA32F);
   GLuint id = 0;
   glCreateFramebuffers(1, &id);

@@ -7,11 +7,14 @@
 
 namespace crest::gl {
 
+/// Throws Error when a picture's size is not in 1..16384.
+void require_size(glm::ivec2 size);
+
 /// What is drawn into: premultiplied RGBA in 32-bit float, row 0 at the top; with `counts`, also four
 /// counters a pixel, as unsigned integers.
 class RenderTarget {
  public:
-  /// Throws Error when the size is not in 1..16384 or the driver has no room for it.
+  /// Throws Error as require_size(), or when the driver has no room for it.
   RenderTarget(glm::ivec2 size, bool counts);
 
   glm::ivec2 size() const { return size_; }

@@ -31,9 +31,11 @@ struct Measurement {
   double step = 0;     ///< in units of the smallest spacing; 0 for a method without one
   Why why = Why::coverage;
 
-  double frame_ms = 0;   ///< median; wall clock until the device has finished
-  double device_ms = 0;  ///< median; the device's own clock (GL_TIME_ELAPSED)
-  std::vector<double> frame_ms_all, device_ms_all;
+  /// Medians, by how much slower the anchor was in this group than in the first one: a busy machine is no
+  /// slower method.
+  double frame_ms = 0;                              ///< wall clock until the device has finished
+  double device_ms = 0;                             ///< the device's own clock (GL_TIME_ELAPSED)
+  std::vector<double> frame_ms_all, device_ms_all;  ///< as they were
   int group = 0;         ///< points of one group were timed turn by turn, with the anchor
   double anchor_ms = 0;  ///< what the sweep's first point took meanwhile: the machine's drift
 

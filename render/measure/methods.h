@@ -17,8 +17,8 @@ struct Method {
   std::string_view name;      ///< for people
   std::string_view settings;  ///< fields of "rendering", as in "mode=DVR_ONLY placement=eye"
   bool has_step = true;       ///< whether rendering.step refines it
-  /// Where this is not 0, s_k refines it in the step's stead, and is the step times this: 8 makes the defaults
-  /// of both, 0.5 and 4, meet.
+  /// Where this is not 0, s_k refines it in the step's stead, and is the step times this: 8 makes the
+  /// defaults of both, 0.5 and 4, meet.
   double s_k_per_step = 0;
 };
 

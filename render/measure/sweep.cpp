@@ -230,11 +230,13 @@ void Sweep::time_frames(const std::vector<PlannedPoint>& group, std::vector<Poin
       points[i].measurement.device_ms_all.push_back(times[i].device_ms);
     }
   }
+  if (first_anchor_ms_ == 0) first_anchor_ms_ = median(anchor_ms);
   for (Point& point : points) {
     Measurement& m = point.measurement;
-    m.frame_ms = median(m.frame_ms_all);
-    m.device_ms = median(m.device_ms_all);
     m.anchor_ms = median(anchor_ms);
+    const double drift = m.anchor_ms / first_anchor_ms_;
+    m.frame_ms = median(m.frame_ms_all) / drift;
+    m.device_ms = median(m.device_ms_all) / drift;
   }
 }
 

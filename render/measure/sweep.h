@@ -104,6 +104,7 @@ class Sweep {
   std::vector<LeftOut> left_out_;
   std::vector<Point> ready_;         ///< measured, but not handed out yet; the next one last
   std::optional<Rendering> anchor_;  ///< the first point's
+  double first_anchor_ms_ = 0;       ///< its median in the first group
   int groups_ = 0;
   double began_ = 0, reference_seconds_ = 0;
   bool ended_ = false;

@@ -17,12 +17,13 @@ std::vector<Row> rows_of(Lab& lab, const std::string& name, const HazeAndPlane& 
   std::vector<Row> rows;
   for (const Mode mode : tested_modes) {
     const Image image = lab.draw(scene_of(haze, mode), camera);
+    const std::vector<bool> at_an_end = surface_at_an_end(haze, camera, lab.size);
     Worst worst;
-    worst.take(largest_difference(image, truth_of(haze, mode, camera, lab.size)), "");
+    worst.take(largest_difference(image, truth_of(haze, mode, camera, lab.size), at_an_end), "");
     rows.push_back(judge({.name = fmt::format("{}, {}", name, crest::name_of(mode)),
                           .quantity = "largest error of a channel, haze with a surface in it",
                           .bound = bound},
-                         worst, {&image, 1}));
+                         worst, {&image, 1}, int(std::ranges::count(at_an_end, true))));
   }
   return rows;
 }

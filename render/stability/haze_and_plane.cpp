@@ -70,6 +70,15 @@ glm::dvec4 pixel_of(const HazeAndPlane& haze, Mode mode, const RayInBox& ray) {
   return layers.collected;
 }
 
+template <class Result>
+std::vector<Result> of_pixels(const HazeAndPlane& haze, const Camera& camera, glm::ivec2 size,
+                              auto&& of_ray) {
+  std::vector<Result> results;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) results.push_back(of_ray(ray_in_box(camera, haze.grid, size, x, y)));
+  return results;
+}
+
 }  // namespace
 
 double HazeAndPlane::isovalue() const {
@@ -89,11 +98,19 @@ Scene scene_of(const HazeAndPlane& haze, Mode mode, double step) {
 }
 
 std::vector<glm::dvec4> truth_of(const HazeAndPlane& haze, Mode mode, const Camera& camera, glm::ivec2 size) {
-  std::vector<glm::dvec4> pixels;
-  for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x)
-      pixels.push_back(pixel_of(haze, mode, ray_in_box(camera, haze.grid, size, x, y)));
-  return pixels;
+  return of_pixels<glm::dvec4>(haze, camera, size,
+                               [&](const RayInBox& ray) { return pixel_of(haze, mode, ray); });
+}
+
+std::vector<bool> surface_at_an_end(const HazeAndPlane& haze, const Camera& camera, glm::ivec2 size) {
+  const glm::dvec3 slope = glm::dvec3(haze.weights) / haze.grid.spacing;
+  const double rounding = 0x1p-22 * glm::length(haze.grid.box_size()) * (slope.x + slope.y + slope.z);
+  return of_pixels<bool>(haze, camera, size, [&](const RayInBox& ray) {
+    const auto is_at = [&](double t) {
+      return std::abs(field_at(haze, ray.eye + t * ray.direction) - haze.isovalue()) <= rounding;
+    };
+    return is_at(ray.enter) || is_at(ray.exit);
+  });
 }
 
 }  // namespace crest::stability

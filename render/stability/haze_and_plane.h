@@ -27,4 +27,8 @@ Scene scene_of(const HazeAndPlane& haze, Mode mode, double step = 0.5);
 /// The pixels of the picture, worked out in double.
 std::vector<glm::dvec4> truth_of(const HazeAndPlane& haze, Mode mode, const Camera& camera, glm::ivec2 size);
 
+/// Pixels whose rays enter or leave the box within the rounding of a position from the surface: there a
+/// crossing more or less is right.
+std::vector<bool> surface_at_an_end(const HazeAndPlane& haze, const Camera& camera, glm::ivec2 size);
+
 }  // namespace crest::stability

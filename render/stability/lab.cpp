@@ -24,31 +24,40 @@ double largest(const Image& a, const Pixels& b, auto&& difference, const std::ve
   return largest;
 }
 
+void throw_if_stopped(const std::stop_token& stop) {
+  if (stop.stop_requested()) throw Cancelled();
+}
+
 double absolute(double a, double b) { return std::abs(a - b); }
 
 }  // namespace
 
 Image Lab::draw(const Scene& scene, const Camera& camera, glm::ivec2 pixels) const {
+  throw_if_stopped(stop);
   gl::RenderTarget target(pixels, false);
   raycaster.draw(scene, camera, target);
   return target.read_color();
 }
 
 CountedPicture draw_counted(const Lab& lab, const Scene& scene, const Camera& camera, glm::ivec2 pixels) {
+  throw_if_stopped(lab.stop);
   gl::RenderTarget target(pixels, true);
   CountedPicture picture;
-  for (const PixelCounts& counts : lab.raycaster.draw_counts(scene, camera, target))
+  for (const PixelCounts& counts : lab.raycaster.draw_counts(scene, camera, target)) {
     picture.crossings.push_back(counts.crossings);
+    picture.dvr_samples.push_back(counts.dvr_samples);
+  }
   picture.image = target.read_color();
   return picture;
 }
 
-Deviation deviation_from_exact(const CountedPicture& picture, const Scene& scene, const Camera& camera) {
+Deviation deviation_from_exact(const CountedPicture& picture, const Scene& scene, const Camera& camera,
+                               const std::vector<bool>& left_out) {
   const Reference exact =
       render_reference(scene, camera, picture.image.size, answers_of(scene.rendering).front());
   Deviation deviation;
   for (std::size_t i = 0; i < exact.pixels.size(); ++i) {
-    if (exact.grazing[i]) {
+    if (exact.grazing[i] || (!left_out.empty() && left_out[i])) {
       ++deviation.left_out;
       continue;
     }
@@ -67,8 +76,9 @@ double largest_difference(const Image& a, const Image& b, const std::vector<bool
   return largest(a, b.pixels, absolute, left_out);
 }
 
-double largest_difference(const Image& a, const std::vector<glm::dvec4>& truth) {
-  return largest(a, truth, absolute);
+double largest_difference(const Image& a, const std::vector<glm::dvec4>& truth,
+                          const std::vector<bool>& left_out) {
+  return largest(a, truth, absolute, left_out);
 }
 
 double largest_relative_difference(const Image& a, const std::vector<glm::dvec4>& truth, double floor) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "render/raycaster/raycaster.h"
@@ -12,20 +13,21 @@ namespace crest::stability {
 struct Lab {
   Raycaster& raycaster;
   glm::ivec2 size{64, 64};
+  std::stop_token stop = {};  ///< what draws then throws Cancelled
 
   Image draw(const Scene& scene, const Camera& camera) const { return draw(scene, camera, size); }
   Image draw(const Scene& scene, const Camera& camera, glm::ivec2 pixels) const;
 };
 
-/// A picture, and how many crossings each of its pixels has.
+/// A picture, and how many crossings and DVR samples each of its pixels has.
 struct CountedPicture {
   Image image;
-  std::vector<unsigned> crossings;
+  std::vector<unsigned> crossings, dvr_samples;
 };
 CountedPicture draw_counted(const Lab& lab, const Scene& scene, const Camera& camera, glm::ivec2 pixels);
 
 /// A picture against the exact one of its scene's mode. Pixels whose rays graze a surface within float
-/// rounding are left out: there a crossing more or less is right.
+/// rounding are left out: there a crossing more or less is right; and those that are named.
 struct Deviation {
   double largest = 0;  ///< error of a channel
   int missed = 0;      ///< crossings, over all pixels
@@ -34,11 +36,13 @@ struct Deviation {
   int miscounted = 0;
   int left_out = 0;
 };
-Deviation deviation_from_exact(const CountedPicture& picture, const Scene& scene, const Camera& camera);
+Deviation deviation_from_exact(const CountedPicture& picture, const Scene& scene, const Camera& camera,
+                               const std::vector<bool>& left_out = {});
 
 /// The largest difference of a channel; infinite where either is NaN.
 double largest_difference(const Image& a, const Image& b, const std::vector<bool>& left_out = {});
-double largest_difference(const Image& a, const std::vector<glm::dvec4>& truth);
+double largest_difference(const Image& a, const std::vector<glm::dvec4>& truth,
+                          const std::vector<bool>& left_out = {});
 
 /// The same, divided by the larger of truth's channel and `floor`.
 double largest_relative_difference(const Image& a, const std::vector<glm::dvec4>& truth,

@@ -125,9 +125,9 @@ std::vector<Row> surface_in_dense_haze(Lab& lab) {
                 .quantity = "largest error of a channel",
                 .bound = 1e-3};
     const Scene scene = scene_of(haze, Mode::both);
-    if (haze_rounding(scene) > claim.bound)
+    if (auto warnings = scene_warnings(scene, camera, many); !warnings.empty())
       claim.limit = {haze_rounding(scene), "positions are rounded to 2^-24 of the box's diagonal",
-                     scene_warnings(scene, camera, many)};
+                     std::move(warnings)};
     rows.push_back(judge(std::move(claim), worst, pictures));
   }
   return rows;

@@ -13,7 +13,7 @@ bool is_finite(const glm::vec4& p) {
 
 Verdict verdict_of(const Row& row) {
   const bool drawn_rightly = row.claim.empty == (row.covered == 0);
-  const bool most_compared = std::size_t(row.left_out) * 100 <= row.picture.pixels.size();
+  const bool most_compared = row.left_out <= most_left_out * row.covered;
   if (row.not_finite > 0 || !drawn_rightly || !most_compared) return Verdict::fail;
   if (row.measured <= row.claim.bound) return Verdict::pass;
   const bool within_limit = row.claim.limit && row.measured <= row.claim.limit->bound;

@@ -59,8 +59,11 @@ struct Worst {
   void take(double measured, std::string_view where);
 };
 
+/// Of the pixels that show something, so many may be left out: a row that compares next to nothing fails.
+inline constexpr double most_left_out = 0.05;
+
 /// The verdict: `measured` keeps the bound (or the limit), no pixel of `pictures` is NaN or Inf, none of them
-/// is empty unless the truth is, and no more than one pixel in 100 was left out. At least one picture.
+/// is empty unless the truth is, and few pixels were left out. At least one picture.
 Row judge(Claim claim, Worst measured, std::span<const Image> pictures, int left_out = 0);
 
 }  // namespace crest::stability

@@ -46,7 +46,7 @@ TransferFunction haze_with_surface(ValueRange range, double isovalue, double haz
 
 /// The step of the invariances: so short that a crossing may fall before a sample or after it, as rounding
 /// has it, without being seen (at half a voxel that changes one pixel in 1e5 by 1e-3).
-inline constexpr double fine_step = 1.0 / 16;
+inline constexpr double fine_step = 1.0 / 64;
 
 /// The modes that a case is tested in.
 inline constexpr Mode tested_modes[] = {Mode::dvr_only, Mode::peak_only, Mode::peak_xor_dvr, Mode::both};

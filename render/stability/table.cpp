@@ -7,7 +7,7 @@
 namespace crest::stability {
 namespace {
 
-constexpr Case cases[] = {
+constexpr Case table[] = {
     {"invariances", "values scaled and shifted with the TF", values_scaled_and_shifted},
     {"invariances", "world scaled with the unit distance", world_scaled},
     {"invariances", "a point inserted on a line", point_on_a_line},
@@ -70,10 +70,11 @@ Row failed(const Case& one, const std::exception& error) {
 
 }  // namespace
 
-std::span<const Case> all_cases() { return cases; }
+std::span<const Case> all_cases() { return table; }
 
-std::vector<Row> run_all(Lab& lab, const std::function<void(const Case&)>& progress) {
-  std::vector<Row> table;
+std::vector<Row> run(Lab& lab, std::span<const Case> cases,
+                     const std::function<void(const Case&)>& progress) {
+  std::vector<Row> all;
   for (const Case& one : cases) {
     if (progress) progress(one);
     std::vector<Row> rows;
@@ -84,10 +85,10 @@ std::vector<Row> run_all(Lab& lab, const std::function<void(const Case&)>& progr
     }
     for (Row& row : rows) {
       row.group = one.group;
-      table.push_back(std::move(row));
+      all.push_back(std::move(row));
     }
   }
-  return table;
+  return all;
 }
 
 }  // namespace crest::stability

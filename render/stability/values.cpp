@@ -47,9 +47,9 @@ std::vector<Row> rows_against_exact(Lab& lab, const std::string& name, const Vol
   for (const Mode mode : tested_modes) {
     const TransferFunction tf = haze_with_surface(volume->statistics.range, isovalue, 0.2, 0.5,
                                                   8 * volume->grid.smallest_spacing(), mode);
-    const Scene scene = make_scene(volume, tf, mode, 1.0 / 32);
+    const Scene scene = make_scene(volume, tf, mode, fine_step);
     const CountedPicture picture = draw_counted(lab, scene, camera, lab.size);
-    const Deviation off = deviation_from_exact(picture, scene, camera);
+    const Deviation off = deviation_from_exact(picture, scene, camera, nearly_grazing(lab, {scene, camera}));
     Worst error;
     error.take(off.largest, "");
     rows.push_back(judge({.name = fmt::format("{}, {}", name, crest::name_of(mode)),

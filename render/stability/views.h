@@ -22,9 +22,13 @@ struct Change {
   bool mirrors_picture = false;
 };
 
+/// Pixels whose rays so nearly graze a surface that they meet more or fewer when it moves by 1e-4 of the
+/// range: there the place of a crossing hangs on the last digit.
+std::vector<bool> nearly_grazing(const Lab& lab, const View& view);
+
 /// A row for each tested mode: the largest difference that any of the changes makes, demanded to be at most
-/// 1e-5. Left out are the pixels whose rays so nearly graze a surface that they meet more or fewer when it
-/// moves by 1e-4 of the range: there the place of a crossing hangs on the last digit.
+/// 1e-5. Left out are nearly grazing pixels, and those where the number of DVR samples is another: a ray of
+/// nearly a whole number of steps has one more or less as its length is rounded.
 std::vector<Row> rows_of_changes(Lab& lab, const std::string& name, const std::function<View(Mode)>& plain,
                                  const std::vector<Change>& changes);
 

@@ -72,8 +72,8 @@ PlacementScene builtin_border_scene() {
 
 PlacementScene whole_plume() {
   const Scene scene = default_scene(plume);
-  return dvr_scene("plume", "builtin:plume?n=64, whole", "Its data end before its border.", scene,
-                   whole_volume_camera(scene.volume->grid));
+  return dvr_scene("plume", "builtin:plume?n=64, whole", "Its data end before its border, but for its top.",
+                   scene, whole_volume_camera(scene.volume->grid));
 }
 
 PlacementScene clipped_plume() {

@@ -24,8 +24,8 @@ PlacementScene border_scene(const Scene& scene, const Camera& camera);
 /// The built-in one: a gyroid.
 PlacementScene builtin_border_scene();
 
-/// A plume, whose data end before its border; and the same with a clip box that cuts through the data, on
-/// planes of points.
+/// A plume, whose data end before its border but for its top; and the same with a clip box that cuts through
+/// the data, on planes of points.
 PlacementScene whole_plume();
 PlacementScene clipped_plume();
 

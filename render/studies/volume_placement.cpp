@@ -43,7 +43,7 @@ VolumePlacement study_placement(Raycaster& raycaster, const VolumeStudy& study, 
     rmse.push_back(result.points.back().error.compared.rmse);
     if (step == pictured_step) result.picture = image;
   }
-  result.order = fit_finest_order(study_steps, rmse);
+  if (rmse.front() > rounding_rmse) result.order = fit_finest_order(study_steps, rmse);
   return result;
 }
 

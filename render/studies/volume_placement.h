@@ -25,9 +25,10 @@ struct VolumePlacement {
     double dvr_samples_per_ray = 0;
   };
   Placement placement;
-  std::vector<Point> points;      ///< by step
-  Image picture;                  ///< at `pictured_step`
-  std::optional<OrderFit> order;  ///< of the RMSE: fit_finest_order()
+  std::vector<Point> points;  ///< by step
+  Image picture;              ///< at `pictured_step`
+  /// Of the RMSE: fit_finest_order(); nothing where it is that of rounding at every step.
+  std::optional<OrderFit> order;
 };
 
 struct VolumeStudy {

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "json_schema.h"
+#include "page.h"
 #include "program.h"
 #include "render/measure/methods.h"
 
@@ -56,15 +57,8 @@ TEST_F(ReportTest, OfASmallScene) {
 
 TEST_F(ReportTest, ThePageStandsAlone) {
   ASSERT_EQ(run(report_to("out") + Words{"--budget", "2s"}).exit_code, 0);
-  const std::string page = content_of(path("out/report.html"));
-  EXPECT_EQ(page.find("{{"), page.npos);
-  // No address but of XML's namespaces
-  EXPECT_FALSE(std::regex_search(page, std::regex(R"(https?://(?!www\.w3\.org/))")));
-  EXPECT_FALSE(std::regex_search(page, std::regex(R"(<(link|script|img)[^>]*(src|href)=)")));
+  const json data = expect_standalone_page(content_of(path("out/report.html")));
   // All the pictures that it names are in it, as they are in the folder
-  const std::string begin = "<script type=\"application/json\" id=\"data\">";
-  const std::size_t at = page.find(begin) + begin.size();
-  const json data = json::parse(page.substr(at, page.find("</script>", at) - at));
   std::size_t pictures = 0;
   const auto expect_picture = [&](const json& name) {
     if (name.is_null()) return;
@@ -138,18 +132,33 @@ TEST_F(ReportTest, TooLittleTimeLeavesNothing) {
   expect_error(1, report_to("out") + Words{"--budget", "0.000001s"}, {"nothing was measured"});
 }
 
+TEST_F(ReportTest, FoldersThatItMadeGoAgain) {
+  expect_error(1, report_to("new/folder/") + Words{"--budget", "0.000001s"}, {"nothing was measured"});
+  expect_error(1, {"report", path("missing.nrrd"), "-o", path("new/folder")}, {"missing.nrrd"});
+  expect_error(1, report_to("new/folder") + Words{"--device", "99"}, {"99"});
+  std::filesystem::create_directory(path("old"));
+  expect_error(1, report_to("old/folder") + Words{"--device", "99"}, {"99"});  // the folder above is kept
+}
+
 TEST_F(ReportTest, WrongCommandLines) {
   expect_error(2, {"report", "-o", path("out")}, {"VOLUME", "--study"});
   expect_error(2, {"report", "builtin:sphere?n=8"}, {"--output"});
-  expect_error(2, report_to("out") + Words{"--budget", "soon"}, {"soon", "90s", "none"});
+  expect_error(2, {"report", "builtin:sphere?n=8", "-o", ""}, {"--output"});
+  for (const char* budget : {"soon", "0s", "0", "-1", "-1s", "1e9", "1 s", "1d", "", "nan", "99999999999s"})
+    expect_error(2, report_to("out") + Words{"--budget", budget}, {"--budget", budget, "90s", "none"});
   expect_error(2, report_to("out") + Words{"--target-error", "psnr=30"},
                {"psnr=30", "share=0.001", "rmse", "flip"});
-  expect_error(2, {"report", "builtin:sphere?n=8", "--size", "huge", "-o", path("out")}, {"huge", "512x512"});
+  for (const char* size : {"huge", "0x0", "0x8", "-8x8", "8", "1e3x8", ""})
+    expect_error(2, {"report", "builtin:sphere?n=8", "--size", size, "-o", path("out")}, {size, "512x512"});
+  expect_error(1, {"report", "builtin:sphere?n=8", "--size", "20000x8", "-o", path("out")},
+               {"20000x8", "1..16384"});
   expect_error(2, {"report", "--study", "bogus", "-o", path("out")}, {"bogus", "study"});
   expect_error(2, {"report", "--study", "placement", "--budget", "9s", "-o", path("out")},
                {"--budget", "--study"});
   write("file", "");
   expect_error(1, report_to("file"), {"file", "folder"});
+  expect_error(1, report_to("file/below"), {"file", "folder"});
+  expect_error(1, {"report", "builtin:sphere?n=8", "-o", "/proc/folder"}, {"/proc/folder"});
 }
 
 }  // namespace

@@ -131,9 +131,9 @@ TEST(Sweep, TimesAGroupTurnByTurnWithTheAnchor) {
   // Timed one after the other, with 5 frames each, the last would be half as slow again as the first.
   EXPECT_LT(groups[1].back().frame_ms / groups[1][0].frame_ms, 1.15);
   // All that differs between groups is the machine, and the anchor tells by how much.
-  const double slower = groups[1][0].frame_ms / groups[0][0].frame_ms;
-  EXPECT_GT(slower, 1.2);
-  EXPECT_NEAR(groups[1][0].anchor_ms / groups[0][0].anchor_ms / slower, 1, 0.1);
+  EXPECT_GT(groups[1][0].frame_ms_all[0] / groups[0][0].frame_ms_all[0], 1.2);
+  EXPECT_GT(groups[1][0].anchor_ms / groups[0][0].anchor_ms, 1.2);
+  EXPECT_NEAR(groups[1][0].frame_ms / groups[0][0].frame_ms, 1, 0.1);  // so it is taken out
 }
 
 TEST(Sweep, KeepsToItsBudgetAndSaysWhatItLeftOut) {

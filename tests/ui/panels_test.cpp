@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -204,6 +206,22 @@ TEST_F(Views, AViewIsEnlargedAndPutBack) {
   EXPECT_EQ(requests.view_pixels[2].x, before);
   double_click(center_of("view1"));
   EXPECT_EQ(state->views.enlarged, 1);
+}
+
+TEST_F(Views, AWarningStandsInItsViewAlone) {
+  for (int i = 0; i < view_count; ++i) EXPECT_FALSE(has(fmt::format("warning{}", i)));
+  const int quiet = ImGui::GetDrawData()->CmdListsCount;
+  inputs.views[2].warnings = {std::string(200, 'w'), "A pixel may be off."};
+  frames(2);
+  for (int i = 0; i < view_count; ++i) EXPECT_EQ(has(fmt::format("warning{}", i)), i == 2);
+  EXPECT_EQ(ImGui::GetDrawData()->CmdListsCount, quiet) << "no tooltip yet";
+  move_to(center_of("warning2"));
+  frames(2);
+  EXPECT_EQ(ImGui::GetDrawData()->CmdListsCount, quiet + 1) << "the tooltip";
+  inputs.views[2].warnings.clear();
+  frames(2);
+  EXPECT_FALSE(has("warning2"));
+  EXPECT_EQ(ImGui::GetDrawData()->CmdListsCount, quiet);
 }
 
 TEST_F(Hostile, NoVolume) {

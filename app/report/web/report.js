@@ -164,7 +164,7 @@ function fillMethod() {
     `It took ${number(data.seconds)} s, of these ${number(data.reference_seconds)} s for the exact answers` +
         (s.budget_seconds === null ? "; there was no budget." : `; the budget was ${number(s.budget_seconds)} s.`),
     `A frame's time is the median of ${s.frames} frames (more of short ones, 3 where one takes over a second). The points of a group were drawn turn by turn, together with the sweep's ` +
-        `first point, whose median lay between ${ms(Math.min(...anchors))} and ${ms(Math.max(...anchors))} in the groups: so far the machine drifted.`,
+        `first point, whose median lay between ${ms(Math.min(...anchors))} and ${ms(Math.max(...anchors))} in the groups: so far the machine drifted, which is taken out of the times shown.`,
     "Shading has no exact answer, and early termination adds an error of its own: both are off, for the times as for the errors.",
     `Errors are over premultiplied RGBA, on the pixels where either picture has alpha > 0. Pixels whose ray grazes a surface within the rounding of 32-bit float are left out: ` +
         `at most ${percent(grazing)} of them here.`,

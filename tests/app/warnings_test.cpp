@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace crest::test {
+namespace {
+
+using Words = std::vector<std::string>;
+using nlohmann::json;
+
+class Warnings : public ProgramTest {
+ protected:
+  Words picture_of(const std::string& command, const std::string& volume) const {
+    return {command, volume, "--preset", "onion", "--size", "24x24", "-o", path("picture.png"), "--json"};
+  }
+  /// A ramp of 4x4x4 voxels in 64 bits, from 1e6 to 1e6 + 1.
+  std::string far_from_zero() const {
+    std::string bytes;
+    for (int i = 0; i < 64; ++i) {
+      const double value = 1e6 + i / 63.0;
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    return write("far.raw", bytes) + "?size=4x4x4&type=float64";
+  }
+};
+
+const Words dense = {"--set", "transfer_function.unit_distance=1e-5"};
+
+TEST_F(Warnings, OrdinaryPicturesHaveNone) {
+  EXPECT_EQ(json_of(picture_of("render", "builtin:sphere?n=16"))["warnings"], json::array());
+  const json compared = json_of(picture_of("compare", "builtin:sphere?n=16"));
+  for (const json& mode : compared["modes"]) EXPECT_EQ(mode["warnings"], json::array());
+}
+
+TEST_F(Warnings, AreInTheStatisticsAndOnStderr) {
+  const Outcome outcome = run(picture_of("render", "builtin:sphere?n=16") + dense + Words{"--mode", "both"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json warnings = json::parse(outcome.out)["warnings"];
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].get<std::string>().find("densest material"), std::string::npos);
+  EXPECT_EQ(outcome.err, "crest: warning: " + warnings[0].get<std::string>() + "\n");
+  EXPECT_EQ(names(), Words{"picture.png"});
+}
+
+TEST_F(Warnings, OfSeveralPicturesAreToldOnce) {
+  const Outcome outcome = run(picture_of("compare", "builtin:sphere?n=16") + dense);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const json& mode : json::parse(outcome.out)["modes"])
+    EXPECT_EQ(mode["warnings"].size(), mode["mode"] == "PEAK_ONLY" ? 0U : 1U) << mode["mode"];
+  EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+}
+
+TEST_F(Warnings, AnErrorStaysALine) {
+  expect_error(1,
+               Words{"render", "builtin:sphere?n=16", "--size", "24x24", "-o", path("missing/a.png")} + dense,
+               {"missing/a.png"});
+}
+
+TEST_F(Warnings, ExactAnswersHaveThoseOfTheVolumeAlone) {
+  const Words exactly = {"--engine", "reference"};
+  EXPECT_EQ(json_of(picture_of("render", "builtin:sphere?n=16") + dense + exactly)["warnings"],
+            json::array());
+  for (const Words& engine : {Words{}, exactly}) {
+    const Outcome outcome = run(picture_of("render", far_from_zero()) + engine);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json warnings = json::parse(outcome.out)["warnings"];
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].get<std::string>().find("float64"), std::string::npos);
+    EXPECT_EQ(outcome.err, "crest: warning: " + warnings[0].get<std::string>() + "\n");
+  }
+}
+
+}  // namespace
+}  // namespace crest::test

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "ui/widgets.h"
+
+namespace crest {
+
+/// A triangle as high as a line of text, with the warnings as its tooltip. It is noted as an item under
+/// `name`.
+void warning_sign(WidgetState& state, std::string name, std::span<const std::string> warnings);
+
+}  // namespace crest
