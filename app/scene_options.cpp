@@ -53,7 +53,8 @@ void SceneOptions::add_to(CLI::App& app) {
 bool SceneOptions::has_any() const {
   const auto is_given = [](const std::string& text) { return !text.empty(); };
   return fit_range || !sets.empty() ||
-         std::ranges::any_of(std::array{preset, mode, engine, step, eye, target, up, fov}, is_given);
+         std::ranges::any_of(std::array{preset, mode, engine, illumination, step, eye, target, up, fov},
+                             is_given);
 }
 
 Preset SceneOptions::read_preset(const Volume& loaded) const {
