@@ -36,6 +36,7 @@ struct KnollFigure {
 };
 /// Figures 3 to 7.
 std::vector<KnollFigure> knoll_figures();
+bool is_in_figures(std::string_view group, std::string_view variant);
 /// Null where it was not measured.
 const Shot* find_shot(const KnollResults& results, std::string_view group, std::string_view variant);
 
