@@ -48,7 +48,8 @@ void add_need(nlohmann::ordered_json& json, const Need& need, const Scene& scene
   json["tables"] = nlohmann::ordered_json::object();
   for (const GpuData& data : gpu_data(need, *scene.volume, classification))
     json["tables"][data.name] = {{"size", data.size}, {"bytes", data.bytes}};
-  if (need.features.dvr) json["tables"]["transfer_function"]["error"] = need.tf_table.error;
+  if (need.features.dvr && !need.features.preintegrated)
+    json["tables"]["transfer_function"]["error"] = need.tf_table.error;
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ struct Method {
   std::string_view name;      ///< for people
   std::string_view settings;  ///< fields of "rendering", as in "mode=DVR_ONLY placement=eye"
   bool has_step = true;       ///< whether rendering.step refines it
-  /// Where this is not 0, s_k refines it in the step's stead, and is the step times this: 8 makes the defaults
-  /// of both, 0.5 and 4, meet.
+  /// Where this is not 0, s_k refines it in the step's stead, and is the step times this: 8 makes the
+  /// defaults of both, 0.5 and 4, meet.
   double s_k_per_step = 0;
 };
 
@@ -31,8 +31,8 @@ const Method* find_method(std::string_view id);
 
 /// The settings with which a method is measured in a scene: the method's own; of the scene's, the filters
 /// (they are part of what is rendered, since each field has its own exact answer), clip box, background,
-/// max_peaks and peak_bins; everything else as it is by default. So shading, which has no exact answer, and
-/// early termination, which adds an error of its own, are off.
+/// max_peaks and the tables' bins; everything else as it is by default. So shading, which has no exact
+/// answer, and early termination, which adds an error of its own, are off.
 Rendering measured_rendering(const Method& method, double step, const Rendering& scene);
 
 /// The scene's settings changed to a method, which leaves its shading and its early termination as they are.

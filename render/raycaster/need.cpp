@@ -6,7 +6,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "presets/error.h"
 #include "presets/names.h"
+#include "render/classify/antiderivatives.h"
 #include "render/classify/peak_table.h"
 #include "render/raycaster/largest_change.h"
 #include "render/raycaster/step_lengths.h"
@@ -44,6 +46,8 @@ struct Scenery {
   std::string why_no_dvr() const;
   std::string why_no_peaks() const;
   std::string why_no_several_peaks(int peak_bins) const;
+  std::string why_no_preintegration() const;
+  std::string why_no_preintegration_table() const;
   std::string why_no_own_root_filter(const Features& features) const;
   std::string why_no_filter_gradient(const Features& features) const;
   std::string why_no_clip_box() const;
@@ -115,6 +119,18 @@ std::string Scenery::why_no_several_peaks(int peak_bins) const {
   const double bin = peak_bins > 0 ? surface_field().width() / peak_bins * (1 + 1e-3) : 0;
   if (!(reach + 2 * bin < gap)) return "";
   return fmt::format("values change by {:.3g} at most in a step, and surfaces are {:.3g} apart", reach, gap);
+}
+
+std::string Scenery::why_no_preintegration() const {
+  return rendering.classification == ClassificationMethod::post ? "rendering.classification is post"
+                                                                : why_no_dvr();
+}
+
+std::string Scenery::why_no_preintegration_table() const {
+  if (const std::string none = why_no_preintegration(); !none.empty()) return none;
+  return rendering.classification == ClassificationMethod::preintegrated_table
+             ? ""
+             : "antiderivatives hold for every length";
 }
 
 std::string Scenery::why_no_own_root_filter(const Features& features) const {
@@ -260,7 +276,14 @@ void Decision::decide_tf_table() {
     need_.tf_table =
         tf_table_size(s_.dvr_tf(), s_.dvr_field(), spacing, glm::length(s_.grid.box_size()) / spacing);
   if (forced_.large_tables) need_.tf_table.entries = largest_tf_table;
-  if (need_.needed.dvr) need_.tf_blur = s_.dvr_field().width() / (need_.tf_table.entries - 1);
+  decide(&Features::preintegrated, s_.why_no_preintegration(), false);
+  decide(&Features::preintegration_table, s_.why_no_preintegration_table(), false);
+  if (need_.features.preintegration_table)
+    need_.preintegration_bins =
+        is_constant(s_.dvr_tf(), s_.dvr_field()) ? 2 : s_.rendering.preintegration_bins;
+  const int entries =
+      need_.features.preintegration_table ? need_.preintegration_bins : need_.tf_table.entries;
+  if (need_.needed.dvr) need_.tf_blur = s_.dvr_field().width() / (entries - 1);
 }
 
 // Without this much that is empty the walk through the macrocells takes longer than it saves
@@ -341,9 +364,10 @@ void Decision::write_list() {
   if (const auto& part = need_.tf_table.blurred)
     list.notes.push_back(
         fmt::format("the transfer function {} at {:.6g}, {} than an entry of the largest table: DVR shows it "
-                    "blurred, or not at all",
+                    "blurred, {}",
                     part->width() > 0 ? "has a feature" : "has a step", part->min,
-                    part->width() > 0 ? fmt::format("{:.3g} wide, narrower", part->width()) : "narrower"));
+                    part->width() > 0 ? fmt::format("{:.3g} wide, narrower", part->width()) : "narrower",
+                    need_.features.preintegrated ? "with all of its depth" : "or not at all"));
 }
 
 Need Decision::make(bool statistics) {
@@ -374,6 +398,7 @@ int Need::passes() const {
 Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
                const Camera& camera, glm::ivec2 size, bool statistics, const Forced& forced,
                const OccupiedShare& occupied_share) {
+  if (const std::string why_not = why_inconsistent(rendering); !why_not.empty()) throw Error(why_not);
   const Box box = rendered_box(volume.grid, rendering.clip_box);
   const double spacing = volume.grid.smallest_spacing();
   const Scenery scenery{volume.grid,
@@ -409,7 +434,13 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
     add("macrocells", fmt::format("{}x{}x{}, of {} cells a side", cells.x, cells.y, cells.z, side),
         std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z));
   }
-  if (f.dvr)
+  if (f.preintegration_table)
+    add("preintegration_table", fmt::format("{0}x{0} bins", need.preintegration_bins),
+        std::size_t(need.preintegration_bins) * std::size_t(need.preintegration_bins) * 4 * sizeof(float));
+  else if (f.preintegrated)
+    add("antiderivatives", fmt::format("{} entries", need.tf_table.entries + 1),
+        std::size_t(need.tf_table.entries + 1) * sizeof(Antiderivatives::Entry));
+  else if (f.dvr)
     add("transfer_function", fmt::format("{} entries", need.tf_table.entries),
         std::size_t(need.tf_table.entries) * 4 * sizeof(float));
   if (f.peaks) {
