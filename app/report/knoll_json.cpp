@@ -69,6 +69,9 @@ Json to_json(const Table1Row& row) {
                    {"fps_peaks", row.paper.fps_peaks},
                    {"fps_post", row.paper.fps_post},
                    {"fps_preintegrated", row.paper.fps_preintegrated}};
+  const Shot& peaks = *row.shots.find("xor-paper");
+  json["ratios"] = {{"peaks_to_post", time_ratio(peaks, *row.shots.find("post"))},
+                    {"peaks_to_preintegrated", time_ratio(peaks, *row.shots.find("preintegrated"))}};
   return json;
 }
 

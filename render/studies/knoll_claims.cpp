@@ -50,10 +50,11 @@ std::string samples_sentence(const KnollResults& results, const Evidence& ratio,
   const PaperRow& paper = row->paper;
   const double by_samples = peaks.samples_per_ray / sampled.samples_per_ray;
   return fmt::format(
-      "Peak finding reads {:.1f} field values a ray there, {:.2f} times those of {} (the paper: {:g} to {:g}, {:.2f} "
+      "Peak finding reads {:.1f} field values a ray there, {:.2f} times those of {} (the paper: {:g} to "
+      "{:g}, {:.2f} "
       "times){}.",
-      peaks.samples_per_ray, by_samples, sampled.variant.name, paper.samples_per_ray, paper.dvr_samples_per_ray,
-      paper.samples_per_ray / paper.dvr_samples_per_ray,
+      peaks.samples_per_ray, by_samples, sampled.variant.name, paper.samples_per_ray,
+      paper.dvr_samples_per_ray, paper.samples_per_ray / paper.dvr_samples_per_ray,
       ratio.value > by_samples * (1 + claim_tolerance)
           ? fmt::format("; the rest of the time goes to {:.2f} crossings a ray", peaks.crossings_per_ray)
           : "");
@@ -120,9 +121,9 @@ ClaimCheck sampling_claim(const KnollResults& results, std::string id, std::stri
                                                  paper.samples_differential)
                                    : "";
     return fmt::format(
-        "For an RMSE of {:.2g} equal steps take {:.1f} field values a ray{}, differential ones {:.1f}{}. An "
-        "RMSE counts "
-        "every pixel alike, near or far.",
+        "For an RMSE of {:.2g} equal steps take {:.1f} field values a ray{}, differential ones {:.1f}{}. "
+        "Unlike the "
+        "eye, an RMSE does not ask whether a step is short near the eye or far from it.",
         differential.error.compared.rmse, uniform.samples_per_ray, row->reached ? "" : " and do not reach it",
         differential.samples_per_ray, papers);
   });
