@@ -122,7 +122,8 @@ Json figures_json(const KnollResults& results) {
                           {"paper_fps", panel.paper_fps},
                           {"picture", knoll_picture_name(panel)},
                           {"error_picture", knoll_error_picture_name(panel)}});
-    figures.push_back({{"figure", figure.number}, {"title", figure.title}, {"panels", panels}});
+    figures.push_back(
+        {{"figure", figure.number}, {"title", figure.title}, {"note", figure.note}, {"panels", panels}});
   }
   return figures;
 }

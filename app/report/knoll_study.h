@@ -31,7 +31,7 @@ struct KnollPanel {
   double paper_fps = 0;
 };
 struct KnollFigure {
-  const char *number, *title;
+  const char *number, *title, *note;  ///< the note is on what differs from the paper's; may be empty
   std::vector<KnollPanel> panels;
 };
 /// Figures 3 to 7.

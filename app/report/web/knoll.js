@@ -86,7 +86,8 @@ function fillFigures() {
           figure(p.picture, `${fps(shot.fps)} fps${p.paper_fps ? ` (paper: ${p.paper_fps})` : ""}, ${number(shot.samples_per_ray)} samples a ray`),
           figure(p.error_picture, `RMSE ${number(shot.error.rmse)}${lost}${bias}`)));
     });
-    byId("figures").append(element("div", {class: "panel"}, element("h3", {}, `Figure ${f.figure}. ${f.title}`), element("div", {class: "grid"}, cards)));
+    byId("figures").append(element("div", {class: "panel"}, element("h3", {}, `Figure ${f.figure}. ${f.title}`),
+        f.note ? element("p", {class: "small soft"}, f.note) : null, element("div", {class: "grid"}, cards)));
   }
 }
 
