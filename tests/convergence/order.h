@@ -13,7 +13,8 @@
 // are refined one at a time, and the error must fall as theory says. The slopes are printed.
 namespace crest::testing {
 
-inline constexpr double float_floor = 4e-7;  // RMSE of a picture that differs from the truth by float rounding alone
+inline constexpr double float_floor =
+    4e-7;  // RMSE of a picture that differs from the truth by float rounding alone
 
 inline double rmse(const Image& image, const Image& truth) {
   double sum = 0;
@@ -26,7 +27,7 @@ inline double rmse(const Image& image, const Image& truth) {
 }
 
 inline void print(const char* what, std::span<const double> sizes, std::span<const double> errors,
-           const OrderFit& fit) {
+                  const OrderFit& fit) {
   fmt::print("{:<52} order {:5.2f} between {:g} and {:g} ({} sizes); errors", what, fit.order, fit.coarsest,
              fit.finest, fit.points);
   for (std::size_t i = 0; i < sizes.size(); ++i) fmt::print(" {:.2e}", errors[i]);
@@ -78,7 +79,7 @@ class Order : public RaycasterTest {
 };
 
 inline Scene scene_of(std::shared_ptr<const Volume> volume, TransferFunction tf, Mode mode,
-               PeakForm form = PeakForm::split) {
+                      PeakForm form = PeakForm::split) {
   Scene scene{std::move(volume), std::move(tf), {}};
   scene.rendering.mode = mode;
   scene.rendering.peak_form = form;
@@ -87,7 +88,9 @@ inline Scene scene_of(std::shared_ptr<const Volume> volume, TransferFunction tf,
 
 inline const glm::dvec3 blue(0.1, 0.3, 1), orange(1, 0.5, 0.1);
 
-inline TransferFunction smooth_tf() { return make_tf({point(-0.3, 0.02, blue), point(1.3, 0.8, orange)}, 0.25); }
+inline TransferFunction smooth_tf() {
+  return make_tf({point(-0.3, 0.02, blue), point(1.3, 0.8, orange)}, 0.25);
+}
 
 /// Haze with a spike in its middle.
 inline TransferFunction spike_tf(double width) {

@@ -30,7 +30,8 @@ TEST_F(PreintegrationOrder, IsTwoAcrossAJumpToo) {
   const auto tf = make_tf(
       {point(-0.3, 0.1, blue), point(0.5, 0.1, blue), point(0.5, 0.7, orange), point(1.3, 0.7, orange)}, 0.6);
   const Scene scene = preintegrated(tf, Mode::dvr_only, ClassificationMethod::preintegrated);
-  EXPECT_NEAR(order_in_step("step, TF with a jump, antiderivatives", scene, Answer::integral, steps).order, 2, 0.3);
+  EXPECT_NEAR(order_in_step("step, TF with a jump, antiderivatives", scene, Answer::integral, steps).order, 2,
+              0.3);
 }
 
 TEST_F(PreintegrationOrder, IsTwoWithPeaksInTheSplitForm) {
@@ -44,7 +45,8 @@ TEST_F(PreintegrationOrder, IsTwoWithPeaksInTheSplitForm) {
     const Scene scene = preintegrated(tf, mode, method);
     EXPECT_NEAR(order_in_step(name, scene, answers_of(scene.rendering).front(), steps).order, 2, 0.3);
   }
-  // What a spike adds to one segment does not shrink with it, and antiderivatives mix its colour with the haze's
+  // What a spike adds to one segment does not shrink with it, and antiderivatives mix its colour with the
+  // haze's
   const Scene body = preintegrated(tf, Mode::both, ClassificationMethod::preintegrated);
   const OrderFit mixed =
       order_in_step("step, spike, both, antiderivatives", body, Answer::integral_and_crossings, steps);
