@@ -56,9 +56,9 @@ Comparison compare_on_gpu(const std::vector<Scene>& scenes, const Camera& camera
   auto& pictures = comparison.pictures;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const Rendering& rendering = scenes[i].rendering;
-    pictures.push_back(
-        {std::move(measured[i].image), std::string(name_of(rendering.mode)), {}, measured[i].warnings});
-    if (rendering.engine == Engine::vdls) pictures.back().label += ": vdls";
+    std::string label(name_of(rendering.mode));
+    if (rendering.engine == Engine::vdls) label += ": vdls";
+    pictures.push_back({std::move(measured[i].image), std::move(label), {}, measured[i].warnings});
     if (options.json) pictures.back().statistics = statistics_json(measured[i], renderer, scenes[i]);
   }
   return comparison;

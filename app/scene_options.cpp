@@ -53,7 +53,8 @@ void SceneOptions::add_to(CLI::App& app) {
 bool SceneOptions::has_any() const {
   const auto is_given = [](const std::string& text) { return !text.empty(); };
   return fit_range || !sets.empty() ||
-         std::ranges::any_of(std::array{preset, mode, engine, step, eye, target, up, fov}, is_given);
+         std::ranges::any_of(std::array{preset, mode, engine, illumination, step, eye, target, up, fov},
+                             is_given);
 }
 
 Preset SceneOptions::read_preset(const Volume& loaded) const {
@@ -70,6 +71,8 @@ Preset SceneOptions::read_preset(const Volume& loaded) const {
   set_if("--engine", engine, "rendering.engine=" + engine);
   set_if("--illumination", illumination, "rendering.illumination=" + illumination);
   set_if("--step", step, "rendering.step=" + step);
+  if (const std::string why_not = why_inconsistent(result.rendering); !why_not.empty())
+    throw CLI::ValidationError("--set", why_not);
   if (!eye.empty() || !target.empty() || !up.empty() || !fov.empty()) {
     const bool is_fitted = !result.camera && eye.empty() && target.empty();
     if (!result.camera) result.camera = whole_volume_camera(loaded.grid);

@@ -51,12 +51,14 @@ void Measuring::add_table1_row(const KnollSceneRow& row) {
   if (row.id == "heptane-5b") variants.push_back(single_peak_variant(s_k()));
   if (row.id == "heptane-5c")
     variants.insert(variants.end(), {magnified_variant(s_k()), surfaces_variant(s_k())});
-  results.table1.push_back({row.paper, lab.shoot_group(of.id, of.title, of, variants, true)});
+  const auto is_pictured = [&](const Variant& variant) { return is_in_figures(of.id, variant.id); };
+  results.table1.push_back({row.paper, lab.shoot_group(of.id, of.title, of, variants, is_pictured)});
 }
 
 void Measuring::add_bins() {
   const KnollScene of = scene("many-peaks");
-  results.bins = lab.shoot_group("bins", of.title, of, bins_variants(s_k()), false);
+  results.bins =
+      lab.shoot_group("bins", of.title, of, bins_variants(s_k()), [](const Variant&) { return false; });
 }
 
 void Measuring::add_builds() {
@@ -67,7 +69,8 @@ void Measuring::add_builds() {
 
 void Measuring::add_sampling(HeldConstant held, std::string_view id, const Variant& method,
                              PaperSampling paper) {
-  SamplingRow row = compare_sampling(lab, scene(id), held, method);
+  const bool with_pictures = is_in_figures(sampling_group_id(held, id, method.id), "uniform");
+  SamplingRow row = compare_sampling(lab, scene(id), held, method, with_pictures);
   row.paper = paper;
   results.table2.push_back(std::move(row));
 }

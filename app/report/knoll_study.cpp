@@ -54,14 +54,6 @@ Json write_study(const KnollReport& report, const fs::path& folder) {
 
 }  // namespace
 
-const Shot* find_shot(const KnollResults& results, std::string_view group, std::string_view variant) {
-  for (const Table1Row& row : results.table1)
-    if (row.shots.id == group) return row.shots.find(variant);
-  for (const SamplingRow& row : results.table2)
-    if (row.shots.id == group) return row.shots.find(variant);
-  return nullptr;
-}
-
 void run_knoll_study(const StudyOptions& options) {
   using std::chrono::duration, std::chrono::steady_clock;
   KnollReport report;

@@ -31,11 +31,12 @@ struct KnollPanel {
   double paper_fps = 0;
 };
 struct KnollFigure {
-  const char *number, *title;
+  const char *number, *title, *note;  ///< the note is on what differs from the paper's; may be empty
   std::vector<KnollPanel> panels;
 };
 /// Figures 3 to 7.
 std::vector<KnollFigure> knoll_figures();
+bool is_in_figures(std::string_view group, std::string_view variant);
 /// Null where it was not measured.
 const Shot* find_shot(const KnollResults& results, std::string_view group, std::string_view variant);
 

@@ -243,6 +243,8 @@ Json write_study(const VdlsReport& report, const std::filesystem::path& folder) 
 }  // namespace
 
 void run_vdls_study(const StudyOptions& options) {
+  if (options.scene.has_any())
+    throw Error("--study vdls has transfer functions and views of its own: no preset, mode or camera");
   VdlsReport report;
   report.command = options.command;
   report.made_at = utc_now();

@@ -109,10 +109,11 @@ void KnollLab::time(const KnollScene& scene, std::vector<Shot>& shots) {
 }
 
 ShotGroup KnollLab::shoot_group(std::string id, std::string title, const KnollScene& scene,
-                                std::span<const Variant> variants, bool with_pictures) {
+                                std::span<const Variant> variants,
+                                const std::function<bool(const Variant&)>& is_pictured) {
   ShotGroup group{std::move(id), std::move(title), scene.id, {}};
   for (const Variant& variant : variants) {
-    Shot& shot = group.shots.emplace_back(shoot(scene, variant, with_pictures));
+    Shot& shot = group.shots.emplace_back(shoot(scene, variant, is_pictured(variant)));
     if (group.shots.front().answer != Answer::integral || shot.answer == Answer::integral) continue;
     const Image shown = exact(scene, variant).image();
     const auto background = glm::vec3(scene.scene.rendering.background);

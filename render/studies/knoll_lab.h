@@ -69,7 +69,8 @@ class KnollLab {
 
   /// Both; where the first is DVR_ONLY, with the others' model difference.
   ShotGroup shoot_group(std::string id, std::string title, const KnollScene& scene,
-                        std::span<const Variant> variants, bool with_pictures);
+                        std::span<const Variant> variants,
+                        const std::function<bool(const Variant&)>& is_pictured);
 
   /// The root mean square error alone.
   double rmse(const KnollScene& scene, const Variant& variant);

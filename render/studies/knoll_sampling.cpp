@@ -55,14 +55,18 @@ double step_of_equal_cost(double first, const std::function<double(double)>& rat
   return best;
 }
 
-SamplingRow compare_sampling(KnollLab& lab, const KnollScene& scene, HeldConstant held,
-                             const Variant& method) {
+std::string sampling_group_id(HeldConstant held, std::string_view scene, std::string_view method) {
+  return fmt::format("{}-{}-{}", scene, method, held == HeldConstant::quality ? "quality" : "frame-rate");
+}
+
+SamplingRow compare_sampling(KnollLab& lab, const KnollScene& scene, HeldConstant held, const Variant& method,
+                             bool with_pictures) {
   SamplingRow row{held, scene.id, method.id, {}, {}, true};
   const Variant differential{
       "differential", method.name + ", differential",
       fmt::format("{} sampling=differential s_k={}", method.settings, s_k_of_paper(lab.settings().size.x)),
       method.peak_gain};
-  const Shot wanted = lab.shoot(scene, differential, true);
+  const Shot wanted = lab.shoot(scene, differential, with_pictures);
   double step = 1;
   if (held == HeldConstant::quality) {
     const auto error = [&](double s) { return lab.rmse(scene, uniform(method, s)); };
@@ -79,9 +83,8 @@ SamplingRow compare_sampling(KnollLab& lab, const KnollScene& scene, HeldConstan
     step = step_of_equal_cost(first, ratio, time_tolerance, time_turns, shortest_uniform_step,
                               longest_uniform_step);
   }
-  const char* what = held == HeldConstant::quality ? "quality" : "frame-rate";
-  row.shots = {fmt::format("{}-{}-{}", scene.id, method.id, what), method.name, scene.id, {}};
-  row.shots.shots = {lab.shoot(scene, uniform(method, step), true), wanted};
+  row.shots = {sampling_group_id(held, scene.id, method.id), method.name, scene.id, {}};
+  row.shots.shots = {lab.shoot(scene, uniform(method, step), with_pictures), wanted};
   lab.time(scene, row.shots.shots);
   return row;
 }

@@ -40,10 +40,13 @@ struct SamplingRow {
   double speed_up() const { return 1 / differential().ratio; }
 };
 
+/// The id of such a row's shots: "aneurism-far-post-bspline-quality".
+std::string sampling_group_id(HeldConstant held, std::string_view scene, std::string_view method);
+
 /// A row: differential sampling as the variant has it, and uniform sampling with the step that holds what is
 /// held.
-SamplingRow compare_sampling(KnollLab& lab, const KnollScene& scene, HeldConstant held,
-                             const Variant& method);
+SamplingRow compare_sampling(KnollLab& lab, const KnollScene& scene, HeldConstant held, const Variant& method,
+                             bool with_pictures);
 
 /// In smallest spacings, between which steps are looked for.
 inline constexpr double shortest_uniform_step = 1.0 / 32, longest_uniform_step = 8;

@@ -4,10 +4,7 @@
 #include <functional>
 
 #include "render/classify/peak_table.h"
-#if __has_include("render/classify/preintegration_table.h")
 #include "render/classify/preintegration_table.h"
-#define WITH_PREINT
-#endif
 #include "render/measure/timing.h"
 
 namespace crest {
@@ -26,16 +23,13 @@ double ms_of(const std::function<void()>& work) {
 
 std::vector<TableBuild> time_table_builds(const TransferFunction& tf, ValueRange field,
                                           double smallest_spacing, std::span<const int> bins) {
-  (void)smallest_spacing, (void)step;
   std::vector<TableBuild> results;
   for (const int n : bins) {
     std::vector<double> peak_ms, preintegration_ms;
     for (int i = 0; i < builds; ++i) {
       peak_ms.push_back(ms_of([&] { build_peak_table(shown_peaks(find_peaks(tf)), field, n); }));
-#ifdef WITH_PREINT
       preintegration_ms.push_back(
           ms_of([&] { build_preintegration_table(tf, field, smallest_spacing, step, n); }));
-#endif
     }
     results.push_back({n, median(peak_ms), median(preintegration_ms)});
   }

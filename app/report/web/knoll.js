@@ -34,12 +34,12 @@ function fillTable1() {
   const heads = ["Scene", {number: "samples/r"}, {number: "dvr/r"}, {number: "crossings/r"}, ...ways.map(([, name]) => ({number: `fps ${name}`})),
                  {number: "pf : pc"}, {number: "pf : pi"}];
   fillTable(byId("table1"), heads, data.table1.map((row) => {
-    const p = row.paper, peaks = shotOf(row, "xor-paper"), post = shotOf(row, "post"), pre = shotOf(row, "preintegrated");
+    const p = row.paper, peaks = shotOf(row, "xor-paper"), post = shotOf(row, "post");
     return [element("b", {}, row.title), both(number(peaks.samples_per_ray), String(p.samples_per_ray)),
             both(number(post.dvr_samples_per_ray), String(p.dvr_samples_per_ray)), {number: number(peaks.crossings_per_ray)},
             ...ways.map(([id, , paper]) => both(fps(shotOf(row, id).fps), paper && String(p[paper]))),
-            both(times(peaks.ratio / post.ratio), times(p.fps_post / p.fps_peaks)),
-            both(times(peaks.ratio / pre.ratio), times(p.fps_preintegrated / p.fps_peaks))];
+            both(times(row.ratios.peaks_to_post), times(p.fps_post / p.fps_peaks)),
+            both(times(row.ratios.peaks_to_preintegrated), times(p.fps_preintegrated / p.fps_peaks))];
   }));
   fillTable(byId("errors"), ["RMSE", ...ways.map(([, name]) => ({number: name})), {number: "crossings missed: pf"}, {number: "divided"}],
             data.table1.map((row) => [element("b", {}, row.title), ...ways.map(([id]) => ({number: number(shotOf(row, id).error.rmse)})),
@@ -86,7 +86,8 @@ function fillFigures() {
           figure(p.picture, `${fps(shot.fps)} fps${p.paper_fps ? ` (paper: ${p.paper_fps})` : ""}, ${number(shot.samples_per_ray)} samples a ray`),
           figure(p.error_picture, `RMSE ${number(shot.error.rmse)}${lost}${bias}`)));
     });
-    byId("figures").append(element("div", {class: "panel"}, element("h3", {}, `Figure ${f.figure}. ${f.title}`), element("div", {class: "grid"}, cards)));
+    byId("figures").append(element("div", {class: "panel"}, element("h3", {}, `Figure ${f.figure}. ${f.title}`),
+        f.note ? element("p", {class: "small soft"}, f.note) : null, element("div", {class: "grid"}, cards)));
   }
 }
 
