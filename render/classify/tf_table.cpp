@@ -145,6 +145,11 @@ double largest_opacity(const TransferFunction& tf, ValueRange field) {
   return largest;
 }
 
+TableBlur tf_table_blur(const TransferFunction& tf, ValueRange field, int entries) {
+  const ValueRange range = table_range(pieces_of(tf, field));
+  return {range.width() / (entries - 1), range};
+}
+
 TfTable build_tf_table(const TransferFunction& tf, ValueRange field, double smallest_spacing, int entries) {
   TfTable table;
   table.range = table_range(pieces_of(tf, field));

@@ -46,6 +46,15 @@ TfTable build_tf_table(const TransferFunction& tf, ValueRange field, double smal
 /// Whether all of the field's values show the same.
 bool is_constant(const TransferFunction& tf, ValueRange field);
 
+/// What a table shows may reach beside what its TF shows, since it is interpolated: by `width` at most, and
+/// never beyond `within`, the table's range, where it is constant.
+struct TableBlur {
+  double width = 0;
+  ValueRange within{0, 0};
+  bool operator==(const TableBlur&) const = default;
+};
+TableBlur tf_table_blur(const TransferFunction& tf, ValueRange field, int entries);
+
 /// The greatest opacity of the TF in the field's range. The point of a spike of no width is not in it: no
 /// sample meets it.
 double largest_opacity(const TransferFunction& tf, ValueRange field);

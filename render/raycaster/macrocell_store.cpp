@@ -22,7 +22,7 @@ const Macrocells& MacrocellStore::macrocells(const Volume& volume, const FieldFi
 
 MacrocellStore::Entry& MacrocellStore::entry(const Volume& volume, const Classification& classification,
                                              const Rendering& rendering, const Features& features,
-                                             double blur) {
+                                             const TableBlur& blur) {
   const Key key{features.dvr, features.base_tf,      features.peaks,
                 blur,         dvr_filter(rendering), root_filter(rendering)};
   const auto found = std::ranges::find(entries_, key, &Entry::key);
@@ -46,12 +46,13 @@ MacrocellStore::Entry& MacrocellStore::entry(const Volume& volume, const Classif
 }
 
 double MacrocellStore::occupied_share(const Volume& volume, const Classification& classification,
-                                      const Rendering& rendering, const Features& features, double blur) {
+                                      const Rendering& rendering, const Features& features,
+                                      const TableBlur& blur) {
   return entry(volume, classification, rendering, features, blur).occupancy.share;
 }
 
 GLuint MacrocellStore::texture(const Volume& volume, const Classification& classification,
-                               const Rendering& rendering, const Features& features, double blur) {
+                               const Rendering& rendering, const Features& features, const TableBlur& blur) {
   Entry& shown = entry(volume, classification, rendering, features, blur);
   gl::TextureHandle& texture = shown.textures[{features.skipping, features.adaptive}];
   if (texture) return texture.id();

@@ -22,12 +22,12 @@ class MacrocellStore {
   /// The share of the macrocells that may show something: of DVR and peaks, where these features are in.
   /// `blur` is as in Shown.
   double occupied_share(const Volume& volume, const Classification& classification,
-                        const Rendering& rendering, const Features& features, double blur);
+                        const Rendering& rendering, const Features& features, const TableBlur& blur);
 
   /// For features.skipping and features.adaptive: a texel (R8UI) a macrocell. It is how many steps are joined
   /// into one, or 0 where features.skipping and nothing in it shows.
   GLuint texture(const Volume& volume, const Classification& classification, const Rendering& rendering,
-                 const Features& features, double blur);
+                 const Features& features, const TableBlur& blur);
   /// The side of a macrocell, in cells of the grid.
   static int side(const Volume& volume) { return macrocell_side(volume.grid); }
 
@@ -35,7 +35,7 @@ class MacrocellStore {
   /// What an occupancy depends on, beside the volume and the TF.
   struct Key {
     bool dvr, base_tf, peaks;
-    double blur;
+    TableBlur blur;
     FieldFilter dvr_filter, root_filter;
     bool operator==(const Key&) const = default;
   };
@@ -47,7 +47,7 @@ class MacrocellStore {
 
   const Macrocells& macrocells(const Volume& volume, const FieldFilter& filter);
   Entry& entry(const Volume& volume, const Classification& classification, const Rendering& rendering,
-               const Features& features, double blur);
+               const Features& features, const TableBlur& blur);
 
   std::vector<std::pair<FieldFilter, Macrocells>> macrocells_;
   std::vector<Entry> entries_;

@@ -113,14 +113,15 @@ void Decision::decide_tf_table() {
   if (need_.features.preintegration_table)
     need_.preintegration_bins =
         is_constant(s_.dvr_tf(), s_.dvr_field()) ? 2 : s_.rendering.preintegration_bins;
-  const int entries =
-      need_.features.preintegration_table ? need_.preintegration_bins : need_.tf_table.entries;
-  if (need_.needed.dvr) need_.tf_blur = s_.dvr_field().width() / (entries - 1);
+  if (!need_.needed.dvr) return;
+  need_.tf_blur = need_.features.preintegration_table
+                      ? TableBlur{s_.dvr_field().width() / (need_.preintegration_bins - 1), s_.dvr_field()}
+                      : tf_table_blur(s_.dvr_tf(), s_.dvr_field(), need_.tf_table.entries);
 }
 
 // Without this much that is empty the walk through the macrocells takes longer than it saves
 // (bench_features).
-constexpr double most_occupied = 0.8;
+constexpr double most_occupied = 0.6;
 
 std::string Decision::why_no_skipping() const {
   if (!s_.rendering.skipping) return "rendering.skipping is false";

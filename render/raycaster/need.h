@@ -36,7 +36,7 @@ struct Need {
   Features needed;       ///< the same, but for those that were forced in
   FeatureList list;
   TfTableSize tf_table;         ///< where features.dvr; antiderivatives have as many nodes
-  double tf_blur = 0;           ///< how far in value an entry of its table reaches: 0 without DVR
+  TableBlur tf_blur;            ///< of its table
   int preintegration_bins = 0;  ///< of the pre-integration table on each axis, where there is one
   int peak_bins = 0;            ///< of the peak table on each axis, where there is one
   /// Intervals of the longest ray, and how many of them a pass renders: some drivers end long loops in
@@ -57,7 +57,7 @@ struct Forced {
 };
 
 /// The share of the macrocells that may show something of these features; `blur` as in Shown (occupancy.h).
-using OccupiedShare = std::function<double(const Features& features, double blur)>;
+using OccupiedShare = std::function<double(const Features& features, const TableBlur& blur)>;
 
 /// The one function that decides, from the volume's grid and statistics, the TF's peaks, the settings, the
 /// camera with its picture's size, and whether costs are to be counted. It takes O(points of the TF) and some

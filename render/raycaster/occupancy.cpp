@@ -10,6 +10,12 @@ namespace {
 /// Equal bins over the field's range: a narrow spike lets pass few cells that do not meet it.
 constexpr int value_bins = 1 << 14;
 
+/// A part of the TF that shows, with what its table makes of it.
+ValueRange blurred(ValueRange part, const TableBlur& blur) {
+  return {std::max(part.min - blur.width, std::min(part.min, blur.within.min)),
+          std::min(part.max + blur.width, std::max(part.max, blur.within.max))};
+}
+
 /// Which bins hold something that shows, as sums up to each.
 class VisibleBins {
  public:
@@ -38,14 +44,14 @@ class VisibleBins {
     --begun_[std::size_t(std::min(bin_of(part.max) + 2, value_bins))];
   }
 
-  void add(const TransferFunction& tf, double blur) {
+  void add(const TransferFunction& tf, const TableBlur& blur) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto& points = tf.points;
     for (std::size_t i = 0; i <= points.size() && !points.empty(); ++i) {
       const ControlPoint *from = i > 0 ? &points[i - 1] : nullptr,
                          *to = i < points.size() ? &points[i] : nullptr;
       if (std::max(from ? from->opacity : 0, to ? to->opacity : 0) > 0)
-        add({(from ? from->value : -infinity) - blur, (to ? to->value : infinity) + blur});
+        add(blurred({from ? from->value : -infinity, to ? to->value : infinity}, blur));
     }
   }
 

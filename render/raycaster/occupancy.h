@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/classify/peaks.h"
+#include "render/classify/tf_table.h"
 #include "render/volume/macrocells.h"
 
 namespace crest {
@@ -16,9 +17,8 @@ struct Occupancy {
 
 /// What a picture shows of a field.
 struct Shown {
-  const TransferFunction* tf = nullptr;  ///< resolved; null without DVR
-  /// How far beside a value that shows the TF's table, which is interpolated, may show something, too.
-  double blur = 0;
+  const TransferFunction* tf = nullptr;         ///< resolved; null without DVR
+  TableBlur blur;                               ///< of its table
   const std::vector<Peak>* surfaces = nullptr;  ///< by value; null without peaks
 };
 

@@ -133,7 +133,7 @@ void Raycaster::State::take_classification(const Scene& scene) {
 
 Need Raycaster::State::need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics) {
   take_classification(scene);
-  const auto occupied_share = [&](const Features& features, double blur) {
+  const auto occupied_share = [&](const Features& features, const TableBlur& blur) {
     return macrocells.occupied_share(*scene.volume, *classification, scene.rendering, features, blur);
   };
   return find_need(*scene.volume, *classification, scene.rendering, camera, size, statistics, forced,

@@ -69,6 +69,20 @@ TEST(Occupancy, OfASpikeIsTheCellsAroundItsValue) {
   EXPECT_DOUBLE_EQ(found.share, 0.2);
 }
 
+// A table's entries reach beside what shows, but not beyond the table: there the TF is constant.
+TEST(Occupancy, OfATableEndsWithIt) {
+  const TransferFunction tf = tf_of({{0.1, 0}, {0.4, 0}, {0.5, 1}, {0.6, 0}, {0.8, 0}, {1, 1}});
+  const TableBlur blur = tf_table_blur(tf, {0, 1}, 7);  // from 0.4 to 1
+  EXPECT_NEAR(blur.width, 0.1, 1e-6);
+  const Occupancy found =
+      find_occupancy(cells_of({{0.0, 0.39}, {0.45, 0.46}, {0.62, 0.68}, {0.705, 0.71}, {0.715, 0.79}}),
+                     {.tf = &tf, .blur = blur}, {0, 1});
+  EXPECT_EQ(found.cells, (std::vector<std::uint8_t>{0, 1, 1, 1, 1}));
+  const Occupancy exact = find_occupancy(
+      cells_of({{0.0, 0.39}, {0.45, 0.46}, {0.62, 0.68}, {0.705, 0.71}, {0.715, 0.79}}), {.tf = &tf}, {0, 1});
+  EXPECT_EQ(exact.cells, (std::vector<std::uint8_t>{0, 1, 0, 0, 0}));
+}
+
 TEST(Occupancy, HoldsForConstantFieldsAndCellsWithoutAValue) {
   const TransferFunction shows = tf_of({{0, 0.5}, {1, 0.5}}), clear = tf_of({{0, 0}, {1, 0}});
   const Macrocells cells = cells_of({{2, 2}, {1, -1}});

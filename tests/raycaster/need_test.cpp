@@ -21,7 +21,7 @@ Need need_of(const View& view, const Forced& forced = {}, bool statistics = fals
   const auto& [volume, tf, rendering] = view.scene;
   const Classification classification = classify(tf, surface_range(view.scene));
   MacrocellStore macrocells;
-  const auto occupied_share = [&](const Features& features, double blur) {
+  const auto occupied_share = [&](const Features& features, const TableBlur& blur) {
     return macrocells.occupied_share(*volume, classification, rendering, features, blur);
   };
   return find_need(*volume, classification, rendering, view.camera, size, statistics, forced, occupied_share);
