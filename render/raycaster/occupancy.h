@@ -18,7 +18,7 @@ struct Occupancy {
 /// What a picture shows of a field.
 struct Shown {
   const TransferFunction* tf = nullptr;         ///< resolved; null without DVR
-  TableBlur blur;                               ///< of its table
+  TableBlur blur = {};                          ///< of its table
   const std::vector<Peak>* surfaces = nullptr;  ///< by value; null without peaks
 };
 

@@ -253,6 +253,27 @@ TEST_F(Preintegration, StepsMayVary) {
       }
 }
 
+// Surfaces may lie in another filter's field: what is pre-integrated between them is of the samples' own.
+TEST_F(Preintegration, SurfacesOfAnotherFilter) {
+  const auto volume = make_volume(cube(9), [](glm::dvec3 p) {
+    return p.z / 8 + 0.1 * std::sin(1.3 * p.x + 0.9 * p.z) * std::cos(1.1 * p.y);
+  });
+  Scene scene =
+      scene_of(volume,
+               make_tf({point(-0.2, 0.1, {0, 0, 1}), point(0.499, 0.3, {0, 1, 0}), point(0.5, 0.7, {1, 0, 0}),
+                        point(0.501, 0.3, {0, 1, 0}), point(1.2, 0.2, {1, 1, 1})},
+                       4),
+               Mode::peak_xor_dvr);
+  scene.rendering.root_filter = Filter::bspline;
+  const Camera camera = along_z(volume->grid, 7);
+  const Image right = render_reference(scene, camera, {16, 16}, Answer::base_and_crossings).image();
+  for (const ClassificationMethod method : both_forms) {
+    set(scene, method);
+    scene.rendering.step = 0.1;
+    EXPECT_LT(largest_difference(render(scene, camera), right), 2e-4) << name_of(method);
+  }
+}
+
 // A segment takes one value more than there are segments, and long rays are complete.
 TEST_F(Preintegration, CountsItsSamples) {
   Scene scene = scene_of(ramp(), make_tf({point(0, 0.01), point(1, 0.02)}, 64.0));
