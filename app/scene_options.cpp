@@ -71,6 +71,8 @@ Preset SceneOptions::read_preset(const Volume& loaded) const {
   set_if("--engine", engine, "rendering.engine=" + engine);
   set_if("--illumination", illumination, "rendering.illumination=" + illumination);
   set_if("--step", step, "rendering.step=" + step);
+  if (const std::string why_not = why_inconsistent(result.rendering); !why_not.empty())
+    throw CLI::ValidationError("--set", why_not);
   if (!eye.empty() || !target.empty() || !up.empty() || !fov.empty()) {
     const bool is_fitted = !result.camera && eye.empty() && target.empty();
     if (!result.camera) result.camera = whole_volume_camera(loaded.grid);

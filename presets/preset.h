@@ -71,6 +71,9 @@ struct Rendering {
   bool operator==(const Rendering&) const = default;
 };
 
+/// Why these settings do not go together, and what would; empty where they do. Files are refused for it.
+std::string why_inconsistent(const Rendering& rendering);
+
 /// A pinhole camera. The ray of a pixel goes through the pixel's centre; row 0 is at the top.
 struct Camera {
   glm::dvec3 eye{0, 0, 0}, target{0, 0, 1}, up{0, 1, 0};  ///< world units

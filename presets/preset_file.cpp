@@ -28,7 +28,10 @@ Preset parse_preset(std::string_view text, std::string_view source) {
   try {
     if (text.size() > largest_preset)
       throw Error(fmt::format("{} bytes are more than a preset may have, {}", text.size(), largest_preset));
-    return preset_from_json(parse_json(text));
+    Preset preset = preset_from_json(parse_json(text));
+    if (const std::string why_not = why_inconsistent(preset.rendering); !why_not.empty())
+      throw Error(why_not);
+    return preset;
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", source, error.what()));
   }

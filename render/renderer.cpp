@@ -32,7 +32,7 @@ PictureNeed Renderer::need(const Scene& scene, const Camera& camera, glm::ivec2 
   if (scene.rendering.engine == Engine::vdls) return vdls().need(scene, size);
   const Need need = raycaster_.need(scene, camera, size, false);
   PictureNeed result{need.list, gpu_data(need, *scene.volume, raycaster_.classification(scene)), {}};
-  if (need.features.dvr) result.tf_error = need.tf_table.error;
+  if (need.features.dvr && !need.features.preintegrated) result.tf_error = need.tf_table.error;
   return result;
 }
 

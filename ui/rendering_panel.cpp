@@ -68,6 +68,19 @@ bool clip_rows(WidgetState& widgets, std::optional<ClipBox>& clip, const Volume*
   return changed;
 }
 
+/// Settings that do not go together give way to the one that was just chosen. Whether they did.
+bool reconcile(Rendering& r, bool classification_was_chosen) {
+  if (why_inconsistent(r).empty()) return false;
+  if (classification_was_chosen) {
+    r.placement = Placement::entry;
+    r.sampling = Sampling::uniform;
+    r.adaptive = false;
+  } else {
+    r.classification = ClassificationMethod::preintegrated;
+  }
+  return true;
+}
+
 /// A root filter of its own is the entry after "same".
 bool root_filter_choice(WidgetState& widgets, std::optional<Filter>& filter, float width) {
   constexpr std::size_t count = std::size(EnumNames<Filter>::table);
@@ -143,6 +156,17 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
   changed |= checkbox(widgets, "##adaptive", r.adaptive);
   row("Skip empty space", "Takes no samples where nothing shows; the picture stays the same");
   changed |= checkbox(widgets, "##skipping", r.skipping);
+  row("Classification",
+      "How a step's colour and opacity follow from the field:\npost - the TF at a sample\npreintegrated - "
+      "the TF's "
+      "antiderivatives between the values at the step's ends\npreintegrated_table - a table of both values; "
+      "it holds "
+      "one step length, so it takes uniform sampling from the entry");
+  const bool classified = choice(widgets, "##classification", r.classification, field);
+  if (r.classification == ClassificationMethod::preintegrated_table) {
+    row("Table bins, DVR", "Bins of the pre-integration table on each axis");
+    changed |= integer_field(widgets, "##preintegration bins", r.preintegration_bins, 2, 2048, field);
+  }
   row("Peak form",
       "How a step with crossings is integrated:\nsplit - divided at its crossings (second order)\npaper - as "
       "published (first order)");
@@ -151,7 +175,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
   row("Most peaks a step",
       "Crossings that one step composites at most in the paper's form; the split form composites all");
   changed |= integer_field(widgets, "##max peaks", r.max_peaks, 1, 64, field);
-  row("Table bins", "Bins of the peak table on each axis");
+  row("Table bins, peaks", "Bins of the peak table on each axis");
   changed |= integer_field(widgets, "##peak bins", r.peak_bins, 1, 4096, field);
   row("Shading", "none, or by the gradient with a light at the eye");
   changed |= choice(widgets, "##shading", r.shading, field);
@@ -183,7 +207,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
   changed |= choice(widgets, "##engine", r.engine, field);
   ImGui::EndTable();
   feature_list(state, inputs, r.mode);
-  return changed;
+  return reconcile(r, classified) || classified || changed;
 }
 
 }  // namespace crest

@@ -42,7 +42,8 @@ std::string short_text(double value);
 bool number_field(WidgetState& state, const char* name, double& value, ValueRange limits, float width);
 bool integer_field(WidgetState& state, const char* name, int& value, int least, int most, float width);
 
-/// A check box; `name` is its ID (give it "##"), and it is noted as an item. Returns whether the value changed.
+/// A check box; `name` is its ID (give it "##"), and it is noted as an item. Returns whether the value
+/// changed.
 bool checkbox(WidgetState& state, const char* name, bool& value);
 
 /// A slider between `limits`; Ctrl+click types a number. Returns whether the value changed.

@@ -22,7 +22,8 @@ namespace {
 
 struct ReportOptions {
   SceneOptions scene;
-  std::string output, size = "256x256", study, budget = "120s", target = to_string(default_target());
+  std::string output, size = "256x256", study, data_folder, budget = "120s",
+                      target = to_string(default_target());
   int device = -1;
   bool json = false, size_is_given = false, budget_is_given = false;
   std::string command;  ///< as typed
@@ -150,7 +151,8 @@ void run_study(const ReportOptions& options, std::stop_token stop) {
   study_options.folder = options.output;
   study_options.scene = options.scene;
   if (options.size_is_given) study_options.size = pixels_of(options.size);
-  study_options.budget_seconds = budget_seconds(options.budget);
+  if (options.budget_is_given) study_options.budget_seconds = budget_seconds(options.budget);
+  study_options.data_folder = options.data_folder;
   study_options.device = options.device;
   study_options.json = options.json;
   study_options.command = options.command;
@@ -160,8 +162,8 @@ void run_study(const ReportOptions& options, std::stop_token stop) {
 
 void run_report(const ReportOptions& options) {
   pixels_of(options.size);  // a wrong one is found before any work
-  const OutputFolder folder(options.output);
   const Interrupt interrupt;
+  const OutputFolder folder(options.output);
   if (options.study.empty())
     make_report(options, interrupt.token());
   else
@@ -177,11 +179,12 @@ void check_options(const ReportOptions& options) {
     return;
   }
   const Study& study = find_study(options.study);
-  if (options.budget_is_given && !study.takes_budget)
-    throw CLI::ValidationError("--budget", fmt::format("--study {} takes as long as it takes", study.name));
   if (!options.scene.volume.empty() && !study.takes_volume)
     throw CLI::ValidationError("--study",
                                fmt::format("{} has scenes of its own: without VOLUME", study.name));
+  if (options.budget_is_given && !study.takes_budget)
+    throw CLI::ValidationError(
+        "--budget", fmt::format("--study {} takes the time that it needs: without --budget", study.name));
   if (options.scene.volume.empty() && options.scene.has_any())
     throw CLI::ValidationError(
         "--study",
@@ -209,7 +212,9 @@ void add_report_command(CLI::App& app, Action& chosen) {
       ->capture_default_str()
       ->type_name("WxH");
   CLI::Option* study = command->add_option("--study", options->study, study_help())->type_name("NAME");
-  command->add_option("--budget", options->budget, "Time for all of it: 90s, 2m, 1h, or none")
+  command
+      ->add_option("--budget", options->budget,
+                   "Time for all of it: 90s, 2m, 1h, or none; of a study that takes one, none by default")
       ->capture_default_str()
       ->type_name("TIME");
   command
@@ -219,14 +224,19 @@ void add_report_command(CLI::App& app, Action& chosen) {
       ->capture_default_str()
       ->type_name("LIMIT")
       ->excludes(study);
+  command
+      ->add_option("--data", options->data_folder,
+                   "A folder of real volumes, for studies that use those of them that are there")
+      ->envname("CREST_DATA")
+      ->type_name("DIR");
   command->add_option("--device", options->device,
                       "Graphics device (crest list devices); hardware first by default");
   command->add_flag("--json", options->json, "Print report.json, too");
   command->callback([options, command, &chosen] {
+    options->size_is_given = command->count("--size") > 0;
     options->budget_is_given = command->count("--budget") > 0;
     check_options(*options);
     options->command = command_text(*command);
-    options->size_is_given = command->count("--size") > 0;
     chosen = [options] { run_report(*options); };
   });
 }

@@ -18,7 +18,8 @@ struct StudyOptions {
   std::filesystem::path folder;          ///< where its files go; it is there
   SceneOptions scene;                    ///< its volume is empty where none was given
   std::optional<glm::ivec2> size;        ///< in pixels, where --size was given; else each study's own
-  std::optional<double> budget_seconds;  ///< for those that time until it is over
+  std::optional<double> budget_seconds;  ///< where --budget was given, and is not "none"
+  std::string data_folder;               ///< of real volumes; empty where none was given
   int device = -1;
   bool json = false;     ///< also print its JSON
   std::string command;   ///< as typed, for the page
@@ -29,8 +30,8 @@ struct StudyOptions {
 struct Study {
   std::string_view name, summary;
   void (*run)(const StudyOptions& options);
-  bool takes_budget = false;  ///< it times frames until the budget is over
   bool takes_volume = false;  ///< VOLUME and the options of its scene, in place of a scene of its own
+  bool takes_budget = false;  ///< and leaves out what it has no time for
 };
 
 /// All studies: a new one is a line here.

@@ -261,7 +261,7 @@ void run_vdls_study(const StudyOptions& options) {
   {
     Lab lab{Renderer(), report.size, options.budget_seconds, options.stop};
     try {
-      study(report, lab, options.scene.volume);
+      study(report, lab, options.data_folder);
     } catch (const Cancelled&) {
       throw Error(
           fmt::format("{}: stopped before the study was done; nothing is written", options.folder.string()));

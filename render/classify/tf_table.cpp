@@ -5,77 +5,10 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "render/classify/tf_pieces.h"
+
 namespace crest {
 namespace {
-
-float float_below(double value) {
-  const float nearest = float(value);
-  return double(nearest) <= value ? nearest
-                                  : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
-}
-
-/// Opaque at any length that a step can have; infinity would make 0 * infinity of a piece of no length.
-constexpr double most_extinction = 1e30;
-
-float float_above(double value) { return -float_below(-value); }
-
-/// Where the TF is linear, within a field's range: what it is at both ends, seen from between them.
-struct Piece {
-  double from, to;
-  Classified begin, end;
-  double width() const { return to - from; }
-};
-
-/// All of them, side by side; at least one, which has no width in a constant field.
-std::vector<Piece> pieces_of(const TransferFunction& tf, ValueRange field) {
-  std::vector<Piece> pieces;
-  double from = field.min;
-  const auto add_up_to = [&](double to) {
-    pieces.push_back({from, to, evaluate_right(tf, from), evaluate_left(tf, to)});
-    from = to;
-  };
-  for (const ControlPoint& point : tf.points)
-    if (point.value > from && point.value < field.max) add_up_to(point.value);
-  if (field.max > from || pieces.empty()) add_up_to(field.max);
-  return pieces;
-}
-
-bool is_same(const Classified& a, const Classified& b) {
-  return a.opacity == b.opacity && (a.color == b.color || a.opacity == 0);
-}
-
-/// Whether the TF has a step where the i-th piece begins.
-bool is_step(const std::vector<Piece>& pieces, std::size_t i) {
-  return i > 0 && !is_same(pieces[i - 1].end, pieces[i].begin);
-}
-
-/// From the first to the last value at which the TF changes; of no width where it does nowhere, or in one
-/// step.
-ValueRange changing_range(const std::vector<Piece>& pieces) {
-  ValueRange range{pieces.front().from, pieces.front().from};
-  bool any = false;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const bool changes = !is_same(pieces[i].begin, pieces[i].end);
-    if (!changes && !is_step(pieces, i)) continue;
-    if (!any) range.min = pieces[i].from;
-    range.max = changes ? pieces[i].to : pieces[i].from;
-    any = true;
-  }
-  return range;
-}
-
-/// The range of a table: in float32, and of a width that can be divided by.
-ValueRange table_range(const std::vector<Piece>& pieces) {
-  ValueRange range = changing_range(pieces);
-  if (range.width() > 0) return {float_below(range.min), float_above(range.max)};
-  // No change, or a single step: it lies between the floats around it, and the table is exact
-  const double size = std::max(std::abs(range.min), pieces.back().to - pieces.front().from);
-  const float end = float_above(range.max);
-  const double least_width = std::max(1e-7 * size, double(std::numeric_limits<float>::min()));
-  return {std::min(std::nextafter(end, -std::numeric_limits<float>::infinity()),
-                   float_below(double(end) - least_width)),
-          end};
-}
 
 /// Near one end of a piece: the opacity of one smallest spacing, and how it goes with the TF's value.
 struct Local {
@@ -86,7 +19,7 @@ struct Local {
 };
 
 /// `spacing` is the smallest one in unit distances.
-Local local_at(const Piece& piece, const Classified& end, double spacing) {
+Local local_at(const TfPiece& piece, const Classified& end, double spacing) {
   const double transmittance = std::max(1 - end.opacity, least_transmittance);
   const double slope = (piece.end.opacity - piece.begin.opacity) / piece.width();
   Local local;
@@ -134,7 +67,7 @@ struct Demands {
   std::optional<ValueRange> narrowest;  ///< that is a feature
 };
 
-Demands demands_of(const std::vector<Piece>& pieces, double spacing, double longest_ray,
+Demands demands_of(const std::vector<TfPiece>& pieces, double spacing, double longest_ray,
                    const TfTableLimits& limits) {
   Demands demands;
   const auto take = [&](const Local& at) {
@@ -153,7 +86,7 @@ Demands demands_of(const std::vector<Piece>& pieces, double spacing, double long
   const ValueRange changing = changing_range(pieces);
   std::optional<Local> before;
   for (std::size_t i = 0; i < pieces.size() && changing.width() > 0; ++i) {
-    const Piece& piece = pieces[i];
+    const TfPiece& piece = pieces[i];
     if (is_step(pieces, i)) {
       const double step = difference(pieces[i - 1].end, piece.begin, spacing);
       demands.largest_step = std::max(demands.largest_step, step);
@@ -177,7 +110,7 @@ Demands demands_of(const std::vector<Piece>& pieces, double spacing, double long
 
 TfTableSize tf_table_size(const TransferFunction& tf, ValueRange field, double smallest_spacing,
                           double longest_ray, const TfTableLimits& limits) {
-  const std::vector<Piece> pieces = pieces_of(tf, field);
+  const std::vector<TfPiece> pieces = pieces_of(tf, field);
   const Demands demands = demands_of(pieces, smallest_spacing / tf.unit_distance, longest_ray, limits);
   const double width = table_range(pieces).width();
   if (!(changing_range(pieces).width() > 0)) return {};
@@ -198,9 +131,16 @@ TfTableSize tf_table_size(const TransferFunction& tf, ValueRange field, double s
   return size;
 }
 
+bool is_constant(const TransferFunction& tf, ValueRange field) {
+  const std::vector<TfPiece> pieces = pieces_of(tf, field);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (is_step(pieces, i) || !is_same(pieces[i].begin, pieces[i].end)) return false;
+  return true;
+}
+
 double largest_opacity(const TransferFunction& tf, ValueRange field) {
   double largest = 0;
-  for (const Piece& piece : pieces_of(tf, field))
+  for (const TfPiece& piece : pieces_of(tf, field))
     largest = std::max({largest, piece.begin.opacity, piece.end.opacity});
   return largest;
 }

@@ -43,6 +43,9 @@ TfTableSize tf_table_size(const TransferFunction& tf, ValueRange field, double s
 /// it the TF is constant, or never asked for. `tf` is resolved.
 TfTable build_tf_table(const TransferFunction& tf, ValueRange field, double smallest_spacing, int entries);
 
+/// Whether all of the field's values show the same.
+bool is_constant(const TransferFunction& tf, ValueRange field);
+
 /// The greatest opacity of the TF in the field's range. The point of a spike of no width is not in it: no
 /// sample meets it.
 double largest_opacity(const TransferFunction& tf, ValueRange field);

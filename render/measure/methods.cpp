@@ -15,6 +15,9 @@ constexpr Method table[] = {
     {"dvr-entry-exit", "DVR, equal steps, rounded down", "mode=DVR_ONLY placement=entry_exit"},
     {"dvr-entry", "DVR, steps counted from the entry", "mode=DVR_ONLY placement=entry"},
     {"dvr-eye", "DVR, steps counted from the eye", "mode=DVR_ONLY placement=eye"},
+    {"dvr-pre", "DVR, pre-integrated", "mode=DVR_ONLY classification=preintegrated"},
+    {"dvr-pre-table", "DVR, pre-integrated, table of two values",
+     "mode=DVR_ONLY classification=preintegrated_table placement=entry"},
     {"dvr-linear-exact", "DVR, trilinear in float", "mode=DVR_ONLY filter=linear_exact"},
     {"dvr-differential", "DVR, steps as published (s_k = 8 step)", "mode=DVR_ONLY sampling=differential",
      true, 8},
@@ -24,6 +27,10 @@ constexpr Method table[] = {
     {"peaks-paper", "Peaks alone, as published", "mode=PEAK_ONLY peak_form=paper"},
     {"xor", "Peaks and base TF, divided steps", "mode=PEAK_XOR_DVR peak_form=split"},
     {"xor-paper", "Peaks or samples, as published", "mode=PEAK_XOR_DVR peak_form=paper"},
+    {"xor-pre", "Peaks and base TF, divided steps, pre-integrated",
+     "mode=PEAK_XOR_DVR peak_form=split classification=preintegrated"},
+    {"xor-pre-table", "Peaks and base TF, divided steps, table of two values",
+     "mode=PEAK_XOR_DVR peak_form=split classification=preintegrated_table placement=entry"},
     {"xor-linear-exact", "Peaks and base TF, trilinear in float",
      "mode=PEAK_XOR_DVR peak_form=split filter=linear_exact root_filter=linear_exact"},
     {"xor-differential", "Peaks and base TF, steps as published (s_k = 8 step)",
@@ -32,6 +39,8 @@ constexpr Method table[] = {
      "mode=PEAK_XOR_DVR sampling=footprint", true, 8},
     {"xor-adaptive", "Peaks and base TF, steps joined where smooth", "mode=PEAK_XOR_DVR adaptive=true"},
     {"both", "Peaks and DVR, divided steps", "mode=both peak_form=split"},
+    {"both-pre", "Peaks and DVR, divided steps, pre-integrated",
+     "mode=both peak_form=split classification=preintegrated"},
     {"both-paper", "Peaks and DVR, as published", "mode=both peak_form=paper"},
 };
 
@@ -71,6 +80,7 @@ Rendering measured_rendering(const Method& method, double step, const Rendering&
   preset.rendering.bc_c = scene.bc_c;
   preset.rendering.max_peaks = scene.max_peaks;
   preset.rendering.peak_bins = scene.peak_bins;
+  preset.rendering.preintegration_bins = scene.preintegration_bins;
   preset.transfer_function = default_transfer_function();  // a preset has one
   for (const std::string_view word : words_of(method.settings))
     preset = set_field(preset, fmt::format("rendering.{}", word));

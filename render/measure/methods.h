@@ -31,8 +31,8 @@ const Method* find_method(std::string_view id);
 
 /// The settings with which a method is measured in a scene: the method's own; of the scene's, the filters
 /// (they are part of what is rendered, since each field has its own exact answer), clip box, background,
-/// max_peaks and peak_bins; everything else as it is by default. So shading, which has no exact answer, and
-/// early termination, which adds an error of its own, are off.
+/// max_peaks and the tables' bins; everything else as it is by default. So shading, which has no exact
+/// answer, and early termination, which adds an error of its own, are off.
 Rendering measured_rendering(const Method& method, double step, const Rendering& scene);
 
 /// The scene's settings changed to a method, which leaves its shading and its early termination as they are.

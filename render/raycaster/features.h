@@ -19,7 +19,9 @@ struct Features {
   bool exclusive = false;        ///< in the paper's form: no DVR sample in a step with a crossing
   bool base_tf = false;          ///< DVR takes the TF without its spikes
   bool own_root_filter = false;  ///< surfaces lie in another filter's field than DVR samples
-  bool clip_box = false;         ///< which takes something away from the volume
+  bool preintegrated = false;    ///< DVR by segments between field values, not by samples
+  bool preintegration_table = false;  ///< of both values, for one length; else by antiderivatives
+  bool clip_box = false;              ///< which takes something away from the volume
   bool shading = false;
   bool filter_gradient = false;  ///< by the filter's derivative, not by central differences
   bool early_termination = false;

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "presets/names.h"
+#include "presets/error.h"
+#include "render/classify/antiderivatives.h"
 #include "render/classify/peak_table.h"
 #include "render/raycaster/illumination.h"
-#include "render/raycaster/largest_change.h"
-#include "render/raycaster/step_lengths.h"
+#include "render/raycaster/scenery.h"
 #include "render/view.h"
-#include "render/volume/filter_bounds.h"
 #include "render/volume/macrocells.h"
 
 namespace crest {
@@ -20,165 +19,6 @@ namespace {
 
 /// Some drivers (Mesa's llvmpipe) end all loops of one invocation together after 65,535 rounds, in silence.
 constexpr int most_loop_rounds = 60000;
-
-/// What find_need is asked, with what follows from it at once. Each of its functions tells why a feature is
-/// not needed, or nothing where it is.
-struct Scenery {
-  const Grid& grid;
-  const VolumeStatistics& statistics;
-  const Classification& classification;
-  const Rendering& rendering;
-  const Camera& camera;
-  glm::ivec2 size;     ///< of the picture
-  Box box;             ///< what is rendered, in world units
-  double longest_ray;  ///< in it, in smallest spacings
-  StepLengths steps;   ///< on its rays
-
-  /// What the field can be where DVR samples it, and where surfaces lie.
-  ValueRange dvr_field() const { return field_range(dvr_filter(rendering), statistics.range); }
-  ValueRange surface_field() const { return field_range(root_filter(rendering), statistics.range); }
-  const std::vector<Peak>& surfaces() const { return classification.surfaces; }
-  bool is_semi_transparent() const { return rendering.illumination == Illumination::semi_transparent; }
-  std::string illumination() const {
-    return fmt::format("rendering.illumination is {}", name_of(rendering.illumination));
-  }
-  bool is_split() const { return rendering.peak_form == PeakForm::split; }
-
-  std::string why_nothing() const;
-  std::string why_no_base_tf() const;
-  std::string why_no_dvr() const;
-  std::string why_no_peaks() const;
-  std::string why_no_several_peaks(int peak_bins) const;
-  std::string why_no_own_root_filter(const Features& features) const;
-  std::string why_no_filter_gradient(const Features& features) const;
-  std::string why_no_clip_box() const;
-  std::string why_no_early_termination(const Features& features) const;
-  std::string why_no_empty_cells() const;
-  std::string why_no_long_rays(const Need& need) const;
-
-  /// What DVR shows in this mode.
-  const TransferFunction& dvr_tf() const {
-    return why_no_base_tf().empty() ? classification.base : classification.tf;
-  }
-  double aspect() const { return double(size.x) / size.y; }
-  int spans(const Features& features) const;
-  int walk_rounds(const Features& features) const;
-};
-
-/// Stretches of a ray that are marched on their own, at most: each may take two intervals more.
-int Scenery::spans(const Features& features) const {
-  const int cells = grid.dims.x + grid.dims.y + grid.dims.z;
-  return 1 + (features.empty_cells ? cells : 0) + (features.adaptive ? cells / macrocell_side(grid) + 3 : 0);
-}
-
-/// Rounds of the loops that walk along a ray.
-int Scenery::walk_rounds(const Features& features) const {
-  const int cells = grid.dims.x + grid.dims.y + grid.dims.z;
-  const int macrocells = features.adaptive || features.skipping ? 4 * (cells / macrocell_side(grid) + 3) : 0;
-  return (features.empty_cells ? 2 * cells : 0) + macrocells;
-}
-
-std::string Scenery::why_nothing() const {
-  if (box.is_empty()) return "the clip box leaves nothing of the volume";
-  return may_see(camera, aspect(), box) ? "" : "the camera does not see the volume";
-}
-
-// The base TF holds also where no spike's own value is in the field's range: its flanks may be.
-std::string Scenery::why_no_base_tf() const {
-  if (!is_semi_transparent()) return illumination();
-  if (rendering.mode != Mode::peak_xor_dvr) return "the mode is not PEAK_XOR_DVR";
-  if (!is_split()) return "the peak form is the paper's";
-  const auto& points = classification.tf.points;
-  const auto is_met = [&](const Peak& p) {
-    return p.spike && p.shown && points[p.left].value <= dvr_field().max &&
-           points[p.right].value >= dvr_field().min;
-  };
-  return std::ranges::any_of(classification.peaks, is_met) ? ""
-                                                           : "no spike in the volume's range is a surface";
-}
-
-std::string Scenery::why_no_dvr() const {
-  if (rendering.mode == Mode::peak_only) return "the mode is PEAK_ONLY";
-  if (shows_values(rendering.illumination)) return "";
-  if (largest_opacity(dvr_tf(), dvr_field()) > 0) return "";
-  if (largest_opacity(classification.tf, dvr_field()) > 0)
-    return "without its spikes, which are surfaces, the transfer function shows nothing";
-  return "the transfer function shows nothing in the volume's range";
-}
-
-std::string Scenery::why_no_peaks() const {
-  if (rendering.mode == Mode::dvr_only) return "the mode is DVR_ONLY";
-  if (rendering.mode != Mode::peak_only && !is_semi_transparent()) return illumination();
-  if (!surfaces().empty()) return "";
-  if (classification.peaks.empty()) return "the transfer function has no peak";
-  const bool shown = std::ranges::any_of(classification.peaks, &Peak::shown);
-  return shown ? "no surface lies in the volume's range" : "no peak is shown as a surface";
-}
-
-std::string Scenery::why_no_several_peaks(int peak_bins) const {
-  if (surfaces().size() == 1) return "there is one surface";
-  const double reach =
-      largest_change(grid, statistics, root_filter(rendering), steps.longest * grid.smallest_spacing());
-  const double gap = smallest_gap(surfaces());
-  const double bin = peak_bins > 0 ? surface_field().width() / peak_bins * (1 + 1e-3) : 0;
-  if (!(reach + 2 * bin < gap)) return "";
-  return fmt::format("values change by {:.3g} at most in a step, and surfaces are {:.3g} apart", reach, gap);
-}
-
-std::string Scenery::why_no_own_root_filter(const Features& features) const {
-  const FieldFilter dvr = dvr_filter(rendering), root = root_filter(rendering);
-  if (dvr == root) return fmt::format("surfaces lie in the field of the samples: {}", name_of(root.kind));
-  if (!features.peaks) return why_no_peaks();
-  return features.dvr ? "" : why_no_dvr();
-}
-
-std::string Scenery::why_no_filter_gradient(const Features& features) const {
-  if (!features.shading) return "there is no shading";
-  return rendering.gradient == Gradient::filter ? "" : "rendering.gradient is central";
-}
-
-std::string Scenery::why_no_clip_box() const {
-  if (!rendering.clip_box) return "rendering.clip_box is not set";
-  const bool takes_away = box.min != grid.box_min() || box.max != grid.box_max();
-  return takes_away ? "" : "the whole volume lies in it";
-}
-
-// Not even a ray that is as long as any, through the densest material, with as many crossings of the most
-// opaque surface as its steps can hold, becomes that dark.
-std::string Scenery::why_no_early_termination(const Features& features) const {
-  if (!(rendering.early_termination > 0)) return "rendering.early_termination is 0";
-  double depth = 0;
-  if (features.dvr)
-    depth += extinction(largest_opacity(dvr_tf(), dvr_field()), classification.tf.unit_distance) *
-             (longest_ray + steps.longest) * grid.smallest_spacing();
-  if (features.peaks) {
-    const double opacity = std::ranges::max(surfaces(), {}, &Peak::opacity).opacity;
-    const double most = is_split() ? 2 * int(surfaces().size()) : rendering.max_peaks;
-    depth -= std::log1p(-opacity) * most * (steps.most + 2 * spans(features));
-  }
-  const double least = std::exp(-depth);
-  if (!(least * (1 - 1e-3) > rendering.early_termination)) return "";
-  return fmt::format("no ray can lose more than {:.3g} of its light", 1 - least);
-}
-
-std::string Scenery::why_no_empty_cells() const {
-  if (statistics.empty_max.x < statistics.empty_min.x)
-    return fmt::format("all {} voxels have a value", grid.point_count());
-  const double around = support_radius(rendering) - 1;  // the statistics' cells are those of radius 1
-  const glm::dvec3 first = glm::max(glm::dvec3(statistics.empty_min) - around, glm::dvec3(0));
-  const glm::dvec3 last = glm::min(glm::dvec3(statistics.empty_max) + around, glm::dvec3(grid.dims - 1));
-  const Box empty{grid.origin + grid.spacing * first, grid.origin + grid.spacing * last};
-  // Rays are cast in float32: a thousandth of a cell beside it counts as in it
-  const glm::dvec3 margin = 1e-3 * grid.spacing;
-  const Box met{glm::max(empty.min - margin, box.min), glm::min(empty.max + margin, box.max)};
-  if (met.is_empty()) return "the clip box leaves no cell without a value";
-  return may_see(camera, aspect(), met) ? "" : "no cell without a value is in view";
-}
-
-std::string Scenery::why_no_long_rays(const Need& need) const {
-  if (need.intervals > need.intervals_per_pass) return "";
-  return fmt::format("{} intervals of the longest ray are few enough for one pass", need.intervals);
-}
 
 int intervals_of(const Scenery& s, const Features& features) {
   return int(std::min(s.steps.most + 2.0 * s.spans(features), 2e9));
@@ -268,7 +108,14 @@ void Decision::decide_tf_table() {
     need_.tf_table =
         tf_table_size(s_.dvr_tf(), s_.dvr_field(), spacing, glm::length(s_.grid.box_size()) / spacing);
   if (forced_.large_tables) need_.tf_table.entries = largest_tf_table;
-  if (need_.needed.dvr) need_.tf_blur = s_.dvr_field().width() / (need_.tf_table.entries - 1);
+  decide(&Features::preintegrated, s_.why_no_preintegration(), false);
+  decide(&Features::preintegration_table, s_.why_no_preintegration_table(), false);
+  if (need_.features.preintegration_table)
+    need_.preintegration_bins =
+        is_constant(s_.dvr_tf(), s_.dvr_field()) ? 2 : s_.rendering.preintegration_bins;
+  const int entries =
+      need_.features.preintegration_table ? need_.preintegration_bins : need_.tf_table.entries;
+  if (need_.needed.dvr) need_.tf_blur = s_.dvr_field().width() / (entries - 1);
 }
 
 // Without this much that is empty the walk through the macrocells takes longer than it saves
@@ -290,7 +137,7 @@ void Decision::decide_steps() {
   decide(&Features::differential, sampling == Sampling::differential ? "" : name, false);
   decide(&Features::footprint, sampling == Sampling::footprint ? "" : name, false);
   decide(&Features::adaptive, s_.rendering.adaptive ? "" : "rendering.adaptive is false", false);
-  decide(&Features::skipping, why_no_skipping());
+  decide(&Features::skipping, why_no_skipping(), !shows_values(need_.needed.illumination));
   if (sampling == Sampling::uniform)
     need_.features.placement = need_.needed.placement = s_.rendering.placement;
 }
@@ -353,9 +200,10 @@ void Decision::write_list() {
   if (const auto& part = need_.tf_table.blurred)
     list.notes.push_back(
         fmt::format("the transfer function {} at {:.6g}, {} than an entry of the largest table: DVR shows it "
-                    "blurred, or not at all",
+                    "blurred, {}",
                     part->width() > 0 ? "has a feature" : "has a step", part->min,
-                    part->width() > 0 ? fmt::format("{:.3g} wide, narrower", part->width()) : "narrower"));
+                    part->width() > 0 ? fmt::format("{:.3g} wide, narrower", part->width()) : "narrower",
+                    need_.features.preintegrated ? "with all of its depth" : "or not at all"));
 }
 
 Need Decision::make(bool statistics) {
@@ -387,6 +235,7 @@ int Need::passes() const {
 Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
                const Camera& camera, glm::ivec2 size, bool statistics, const Forced& forced,
                const OccupiedShare& occupied_share) {
+  if (const std::string why_not = why_inconsistent(rendering); !why_not.empty()) throw Error(why_not);
   const Box box = rendered_box(volume.grid, rendering.clip_box);
   const double spacing = volume.grid.smallest_spacing();
   const Scenery scenery{volume.grid,
@@ -422,7 +271,13 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
     add("macrocells", fmt::format("{}x{}x{}, of {} cells a side", cells.x, cells.y, cells.z, side),
         std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z));
   }
-  if (f.dvr)
+  if (f.preintegration_table)
+    add("preintegration_table", fmt::format("{0}x{0} bins", need.preintegration_bins),
+        std::size_t(need.preintegration_bins) * std::size_t(need.preintegration_bins) * 4 * sizeof(float));
+  else if (f.preintegrated)
+    add("antiderivatives", fmt::format("{} entries", need.tf_table.entries + 1),
+        std::size_t(need.tf_table.entries + 1) * sizeof(Antiderivatives::Entry));
+  else if (f.dvr)
     add("transfer_function", fmt::format("{} entries", need.tf_table.entries),
         std::size_t(need.tf_table.entries) * 4 * sizeof(float));
   if (f.peaks) {

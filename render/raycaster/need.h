@@ -35,9 +35,10 @@ struct Need {
   Features features;     ///< of the shader
   Features needed;       ///< the same, but for those that were forced in
   FeatureList list;
-  TfTableSize tf_table;  ///< where features.dvr
-  double tf_blur = 0;    ///< how far in value an entry of its table reaches: 0 without DVR
-  int peak_bins = 0;     ///< of the peak table on each axis, where there is one
+  TfTableSize tf_table;         ///< where features.dvr; antiderivatives have as many nodes
+  double tf_blur = 0;           ///< how far in value an entry of its table reaches: 0 without DVR
+  int preintegration_bins = 0;  ///< of the pre-integration table on each axis, where there is one
+  int peak_bins = 0;            ///< of the peak table on each axis, where there is one
   /// Intervals of the longest ray, and how many of them a pass renders: some drivers end long loops in
   /// silence.
   int intervals = 0, intervals_per_pass = 1;
@@ -61,7 +62,7 @@ using OccupiedShare = std::function<double(const Features& features, double blur
 /// The one function that decides, from the volume's grid and statistics, the TF's peaks, the settings, the
 /// camera with its picture's size, and whether costs are to be counted. It takes O(points of the TF) and some
 /// microseconds, and what `occupied_share` takes, where that is asked; without it nothing is skipped. Throws
-/// Error for a camera that has no picture.
+/// Error for a camera that has no picture, and for settings that do not go together.
 Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
                const Camera& camera, glm::ivec2 size, bool statistics, const Forced& forced = {},
                const OccupiedShare& occupied_share = {});

@@ -13,6 +13,7 @@
 #include "render/gl/uniforms.h"
 #include "render/raycaster/illumination.h"
 #include "render/raycaster/macrocell_store.h"
+#include "render/raycaster/preintegration_textures.h"
 #include "render/raycaster/table_textures.h"
 #include "render/raycaster/view_uniforms.h"
 #include "render/raycaster/volume_texture.h"
@@ -26,7 +27,7 @@ enum Unit : GLuint {
   volume_unit,
   empty_cells_unit,
   macrocells_unit,
-  tf_unit,
+  tf_unit,  ///< or what stands for the TF: antiderivatives, pre-integration table
   peak_table_unit,
   peak_runs_unit
 };
@@ -55,9 +56,16 @@ void clear(const gl::RenderTarget& target) {
   if (target.has_counts()) glClearNamedFramebufferuiv(target.framebuffer(), GL_COLOR, 1, none);
 }
 
+/// What DVR looks a TF up in: only what was asked for.
+struct DvrTables {
+  std::optional<TfTexture> samples;
+  std::optional<AntiderivativesTexture> antiderivatives;
+  std::optional<PreintegrationTexture> preintegration;
+};
+
 /// What a TF is on the GPU: only what was asked for.
 struct Tables {
-  std::optional<TfTexture> full_tf, base_tf;
+  DvrTables full_tf, base_tf;
   std::optional<PeakTableTextures> peak_table;
   gl::BufferHandle peaks;
 };
@@ -88,7 +96,10 @@ struct Raycaster::State {
   Need need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics);
   void bind(const Scene& scene, const Need& need, GLuint program);
   void bind_macrocells(const Scene& scene, const Need& need, GLuint program);
-  void bind_tf(const Need& need, GLuint program);
+  void bind_tf(const Scene& scene, const Need& need, GLuint program);
+  void bind_antiderivatives(const TransferFunction& shown, DvrTables& held, const Need& need, GLuint program);
+  void bind_preintegration(const TransferFunction& shown, DvrTables& held, double step, int bins,
+                           GLuint program);
   void bind_peaks(const Need& need, GLuint program);
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
             const std::function<void(int pass)>& after_pass);
@@ -142,7 +153,7 @@ void Raycaster::State::bind(const Scene& scene, const Need& need, GLuint program
   }
   if (uses_filter(features, Filter::bc)) set_bc_weights(program, scene.rendering);
   if (features.skipping || features.adaptive) bind_macrocells(scene, need, program);
-  if (features.dvr) bind_tf(need, program);
+  if (features.dvr) bind_tf(scene, need, program);
   if (features.illumination != Illumination::semi_transparent) bind_illumination(program, scene, units);
   if (features.peaks) bind_peaks(need, program);
   // What is forced in does not show
@@ -163,17 +174,48 @@ void Raycaster::State::bind_macrocells(const Scene& scene, const Need& need, GLu
       glm::vec3(grid.spacing / grid.smallest_spacing() * double(MacrocellStore::side(*volume))));
 }
 
-void Raycaster::State::bind_tf(const Need& need, GLuint program) {
+void Raycaster::State::bind_tf(const Scene& scene, const Need& need, GLuint program) {
+  const TransferFunction nothing;
   const bool is_base = need.features.base_tf;
-  auto& tf = !need.needed.dvr ? no_tables.full_tf : is_base ? tables.base_tf : tables.full_tf;
+  DvrTables& held = !need.needed.dvr ? no_tables.full_tf : is_base ? tables.base_tf : tables.full_tf;
+  const TransferFunction& shown = !need.needed.dvr ? nothing
+                                  : is_base        ? classification->base
+                                                   : classification->tf;
+  if (need.features.preintegration_table)
+    return bind_preintegration(shown, held, scene.rendering.step, need.preintegration_bins, program);
+  if (need.features.preintegrated) return bind_antiderivatives(shown, held, need, program);
+
+  auto& tf = held.samples;
   const int entries = need.tf_table.entries;
-  if (!tf || tf->entries != entries) {
-    const TransferFunction shown = !need.needed.dvr ? TransferFunction{}
-                                   : is_base        ? classification->base
-                                                    : classification->tf;
+  if (!tf || tf->entries != entries)
     tf = upload_tf(units.stored(shown), units.stored(dvr_range), volume->grid.smallest_spacing(), entries);
-  }
   bind_tf_texture(program, *tf, tf_unit);
+}
+
+void Raycaster::State::bind_antiderivatives(const TransferFunction& shown, DvrTables& held, const Need& need,
+                                            GLuint program) {
+  auto& table = held.antiderivatives;
+  const int stretches = need.tf_table.entries - 1;
+  if (!table || table->stretches != stretches)
+    table = upload_antiderivatives(build_antiderivatives(units.stored(shown), units.stored(dvr_range),
+                                                         volume->grid.smallest_spacing(), stretches));
+  glBindTextureUnit(tf_unit, table->texture.id());
+  set(program, "antiderivatives", int(tf_unit));
+  set(program, "antiderivatives_min_scale", glm::vec2(table->range.min, stretches / table->range.width()));
+}
+
+void Raycaster::State::bind_preintegration(const TransferFunction& shown, DvrTables& held, double step,
+                                           int bins, GLuint program) {
+  auto& table = held.preintegration;
+  if (!table || table->bins != bins || table->length != step)
+    table = upload_preintegration_table(build_preintegration_table(
+        units.stored(shown), units.stored(dvr_range), volume->grid.smallest_spacing(), step, bins));
+  glBindTextureUnit(tf_unit, table->texture.id());
+  set(program, "preintegration_table", int(tf_unit));
+  // The centres of the first and the last texel are the range's ends
+  const double scale = (bins - 1.0) / bins / table->range.width();
+  set(program, "preintegration_min_scale_offset", glm::vec3(table->range.min, scale, 0.5 / bins));
+  set(program, "preintegrated_length", float(step));
 }
 
 void Raycaster::State::bind_peaks(const Need& need, GLuint program) {

@@ -57,7 +57,12 @@ StepLengths step_lengths(const Rendering& rendering, const Camera& camera, glm::
   StepLengths lengths;
   switch (rendering.sampling) {
     case Sampling::uniform:
-      lengths.longest = rendering.step * (rendering.placement == Placement::entry_exit ? 2 : 1);
+      // Pre-integrated segments take in what eye and entry leave over at the span's ends
+      lengths.longest = rendering.step;
+      if (rendering.placement == Placement::entry_exit ||
+          (rendering.placement != Placement::entry_exit_corner &&
+           rendering.classification != ClassificationMethod::post))
+        lengths.longest *= 2;
       lengths.most = std::ceil(ray * (1 + slack) / rendering.step);
       break;
     case Sampling::differential:

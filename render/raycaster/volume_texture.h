@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/raycaster/stored_units.h"
 #include "render/gl/handle.h"
+#include "render/raycaster/stored_units.h"
 #include "render/volume/volume.h"
 
 namespace crest {

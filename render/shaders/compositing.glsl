@@ -16,3 +16,9 @@ float opacity_of(float optical_depth) {
   float x = optical_depth;
   return x < 0.01 ? x * (1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0))) : 1.0 - exp(-x);
 }
+
+// Its inverse, likewise. An opaque material has the depth that extinction is capped at.
+float depth_of(float opacity) {
+  float a = opacity;
+  return a < 0.01 ? a * (1.0 + a * (0.5 + a * (1.0 / 3.0 + a * 0.25))) : -log(max(1.0 - a, 5.9604645e-8));
+}

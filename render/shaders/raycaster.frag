@@ -1,4 +1,4 @@
-// The single-pass ray caster: post-classification, peak finding (Knoll et al. 2009, appendix).
+// The single-pass ray caster: post-classification or pre-integration, peak finding (Knoll et al. 2009, appendix).
 // DVR, PEAKS, SPLIT, ... are 0 or 1, from what the scene needs (raycaster/features.h).
 
 // Whether a march may begin or end within a ray.
@@ -12,11 +12,11 @@
 #include "sampling.glsl"
 #include "empty_cells.glsl"
 #include "macrocells.glsl"
-#if DVR
+#if DVR && !PREINTEGRATED
 #include "transfer_function.glsl"
 #endif
 #if PEAKS
-#include "peaks.glsl"
+#include "crossings.glsl"
 #endif
 
 layout(location = 0) out vec4 out_color;
@@ -32,7 +32,10 @@ uniform float least_residual;
 #define TERMINATED false
 #endif
 
-#if PEAKS
+#if PREINTEGRATED
+#define INTERVALS_BEYOND_SEGMENTS 0
+#include "march_preintegrated.glsl"
+#elif PEAKS
 // Interval i lies between samples i-1 and i: the n-1 between samples, and one at either end, so that each crossing
 // is isolated and no value of the field is evaluated twice.
 #define INTERVALS_BEYOND_SEGMENTS 1

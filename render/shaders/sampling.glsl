@@ -71,7 +71,7 @@ Sampling joined(Sampling s, int first, int last, int multiple) {
   part.begin = boundary_at(s, first);
   part.second = boundary_at(s, second);
   part.end = boundary_at(s, last);
-  part.span = Span(max(part.begin, s.span.enter), min(part.end, s.span.exit));
+  part.span = Span(first == 0 ? s.span.enter : part.begin, last == s.n ? s.span.exit : part.end);
 #if FOOTPRINT
   part.dt = s.dt * exp2(s.growth * steps_before);
   part.growth = s.growth * m;

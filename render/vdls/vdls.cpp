@@ -96,6 +96,7 @@ std::string why_not_vdls(const Scene& scene) {
   };
   for (const std::string& why :
        {only("mode", Mode::dvr_only, r.mode), only("placement", defaults.placement, r.placement),
+        only("classification", defaults.classification, r.classification),
         only("sampling", defaults.sampling, r.sampling),
         only("classification", defaults.classification, r.classification),
         only("filter", defaults.filter, r.filter), only("gradient", defaults.gradient, r.gradient)})

@@ -67,6 +67,8 @@ TEST_F(CommandLine, WordsThatThereAreNot) {
   expect_error(2, render + Words{"--mode", "bogus"}, {"--mode", "bogus", "PEAK_XOR_DVR"});
   expect_error(2, render + Words{"--engine", "bogus"}, {"--engine", "bogus", "raycaster"});
   expect_error(1, render + Words{"--preset", "bogus"}, {"bogus", "no such file", "onion"});
+  expect_error(2, render + Words{"--set", "rendering.classification=preintegrated_table"},
+               {"rendering.placement", "steps of one length", "entry_exit_corner"});
   expect_error(1, {"info", "builtin:bogus"}, {"bogus", "sphere"});
   expect_error(1, {"info", "builtin:sphere?n=8&m=2"}, {"\"m\"", "radius"});
   expect_error(1, render + Words{"--device", "99"}, {"--device 99"});

@@ -42,8 +42,8 @@ TEST_F(VdlsStudy, HasAllItsParts) {
 }
 
 TEST_F(VdlsStudy, TakesAFolder) {
-  expect_error(1, {"report", "builtin:sphere", "--study", "vdls", "-o", path("out")},
-               {"builtin:sphere", "folder", "bonsai"});
+  expect_error(1, {"report", "--study", "vdls", "--data", path("nothing"), "-o", path("out")},
+               {"nothing", "folder", "bonsai"});
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <optional>
+#include <random>
 
 #include "app/offscreen_context.h"
 #include "render/camera.h"
@@ -57,29 +57,28 @@ std::string features_that_differ(const FeatureCase& c) {
   return text;
 }
 
+/// Each round in another order, so that none always finds the caches as the same other one left them.
 void compete(benchmark::State& state, const FeatureCase& c) {
-  Contestant left_out(c.left_out), needed(c.needed);
-  std::optional<Contestant> forced_in;
-  if (c.forced_in) forced_in.emplace(*c.forced_in);
-  std::vector<std::pair<const char*, Contestant*>> lineup{{"again", &left_out}, {"needed", &needed}};
-  if (forced_in) lineup.emplace_back("forced_in", &*forced_in);
-  lineup.emplace_back("left_out", &left_out);
+  std::map<std::string, Contestant> contestants;
+  contestants.try_emplace("left_out", c.left_out);
+  contestants.try_emplace("again", c.left_out);
+  contestants.try_emplace("needed", c.needed);
+  if (c.forced_in) contestants.try_emplace("forced_in", *c.forced_in);
+  std::vector<std::string> order;
+  for (const auto& [name, contestant] : contestants) order.push_back(name);
 
+  std::mt19937 random;
   std::map<std::string, std::vector<double>> ratios;
-  std::size_t round = 0;
   for (auto _ : state) {
+    std::ranges::shuffle(order, random);
     std::map<std::string, double> ms;
-    for (std::size_t i = 0; i < lineup.size(); ++i) {
-      const auto& [name, contestant] = lineup[(round + i) % lineup.size()];
-      ms[name] = contestant->draw_ms();
-    }
+    for (const std::string& name : order) ms[name] = contestants.at(name).draw_ms();
     for (const auto& [name, time] : ms) ratios[name].push_back(time / ms["left_out"]);
     state.SetIterationTime(1e-3 * ms["left_out"]);
-    ++round;
   }
-  for (auto& [name, values] : ratios)
-    if (name != "left_out") state.counters[name] = median(values);
-  state.counters["samples"] = needed.samples() / left_out.samples();
+  for (const std::string& name : order)
+    if (name != "left_out") state.counters[name] = median(ratios[name]);
+  state.counters["samples"] = contestants.at("needed").samples() / contestants.at("left_out").samples();
   state.SetLabel(features_that_differ(c));
 }
 

@@ -137,6 +137,9 @@ std::vector<FeatureCase> other_cases(const VolumePtr& volume) {
   const auto sampled = [&](Sampling sampling) {
     return with(with(split, &Rendering::sampling, sampling), &Rendering::s_k, 0.35);  // about as many samples
   };
+  const Scene preintegrated = with(split, &Rendering::classification, ClassificationMethod::preintegrated);
+  const Scene in_table =
+      with(placed(Placement::entry), &Rendering::classification, ClassificationMethod::preintegrated_table);
   const Grid& grid = volume->grid;
   const ClipBox clip{grid.box_min() + 1e-3 * grid.box_size(), grid.box_max(), ""};
   return {
@@ -149,6 +152,8 @@ std::vector<FeatureCase> other_cases(const VolumePtr& volume) {
       {"filter_bspline", {with(split, &Rendering::filter, Filter::bspline)}, {split}},
       {"filter_bc", {with(split, &Rendering::filter, Filter::bc)}, {split}},
       {"filter_gradient", {with(shaded, &Rendering::gradient, Gradient::filter)}, {shaded}},
+      {"preintegrated", {preintegrated}, {split}},
+      {"preintegration_table", {in_table}, {with(preintegrated, &Rendering::placement, Placement::entry)}},
       {"clip_box", {with(split, &Rendering::clip_box, clip)}, {split}},
       {"differential", {sampled(Sampling::differential)}, {split}},
       {"footprint", {sampled(Sampling::footprint)}, {split}},

@@ -223,6 +223,23 @@ TEST(ParsePreset, RefusesWrongFieldsWithTheirPath) {
   }
 }
 
+// Each of these fields is right by itself. Set one by one, they only have to fit in the end.
+TEST(ParsePreset, RefusesSettingsThatDoNotGoTogether) {
+  json spoiled = sample();
+  spoiled["rendering"] = {{"classification", "preintegrated_table"}};
+  EXPECT_EQ(
+      error_of(spoiled.dump()),
+      "FILE: rendering.placement: the pre-integrated table holds steps of one length, which takes placement "
+      "entry, not entry_exit_corner (classification preintegrated has no such limit)");
+  spoiled["rendering"]["placement"] = "entry";
+  EXPECT_EQ(why_inconsistent(parse_preset(spoiled.dump(), "FILE").rendering), "");
+  spoiled["rendering"]["sampling"] = "footprint";
+  EXPECT_TRUE(error_of(spoiled.dump()).starts_with("FILE: rendering.sampling: "));
+  spoiled["rendering"]["sampling"] = "uniform";
+  spoiled["rendering"]["adaptive"] = true;
+  EXPECT_TRUE(error_of(spoiled.dump()).starts_with("FILE: rendering.adaptive: "));
+}
+
 TEST(ParsePreset, RefusesMissingFields) {
   EXPECT_EQ(error_of("{}"), "FILE: transfer_function: is missing");
   EXPECT_EQ(error_of(R"({"transfer_function": {}})"), "FILE: transfer_function.points: is missing");

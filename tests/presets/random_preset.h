@@ -49,6 +49,11 @@ inline Preset random_preset(std::mt19937& random) {
   rendering.s_k = random() % 2 ? 4 : unit(random) + 0.001;
   rendering.adaptive = random() % 2;
   rendering.skipping = random() % 2;
+  if (!why_inconsistent(rendering).empty()) {
+    rendering.placement = Placement::entry;
+    rendering.sampling = Sampling::uniform;
+    rendering.adaptive = false;
+  }
   rendering.filter = Filter(random() % 4);
   if (random() % 2) rendering.root_filter = Filter(random() % 4);
   rendering.bc_b = unit(random) * 2;

@@ -124,6 +124,11 @@ Rendering random_rendering(Dice& dice, const Grid& grid) {
   rendering.gradient = dice.pick({Gradient::central, Gradient::filter});
   rendering.early_termination = dice.pick({0.0, 0.0, 0.01, 0.3});
   if (dice.one_in(3)) rendering.clip_box = random_clip_box(dice, grid);
+  rendering.classification =
+      dice.pick({ClassificationMethod::post, ClassificationMethod::post, ClassificationMethod::preintegrated,
+                 ClassificationMethod::preintegrated_table});
+  rendering.preintegration_bins = dice.pick({2, 64});
+  if (!why_inconsistent(rendering).empty()) rendering.classification = ClassificationMethod::preintegrated;
   return rendering;
 }
 

@@ -75,6 +75,24 @@ TEST_F(Panels, RenderingFieldsKeepTheirRanges) {
   EXPECT_EQ(rendering.mode, Mode::peak_xor_dvr);
 }
 
+// The pre-integration table holds one step length: what is chosen last prevails.
+TEST_F(Panels, TheClassificationTakesItsPlacement) {
+  click("tab/Rendering");
+  Rendering& rendering = document.preset.rendering;
+  rendering.adaptive = true;
+  click("##classification");
+  click("##classification/preintegrated_table");
+  EXPECT_EQ(rendering.classification, ClassificationMethod::preintegrated_table);
+  EXPECT_EQ(rendering.placement, Placement::entry);
+  EXPECT_FALSE(rendering.adaptive);
+  type("##preintegration bins", "5000");
+  EXPECT_EQ(rendering.preintegration_bins, 2048);
+  click("##placement");
+  click("##placement/eye");
+  EXPECT_EQ(rendering.placement, Placement::eye);
+  EXPECT_EQ(rendering.classification, ClassificationMethod::preintegrated);
+}
+
 TEST_F(Panels, TheFiltersAreChosen) {
   click("tab/Rendering");
   Rendering& rendering = document.preset.rendering;

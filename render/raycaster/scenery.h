@@ -1,0 +1,62 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "presets/names.h"
+#include "render/raycaster/need.h"
+#include "render/raycaster/step_lengths.h"
+#include "render/volume/filter_bounds.h"
+
+namespace crest {
+
+/// What find_need is asked, with what follows from it at once. Each of its functions tells why a feature is
+/// not needed, or nothing where it is.
+struct Scenery {
+  const Grid& grid;
+  const VolumeStatistics& statistics;
+  const Classification& classification;
+  const Rendering& rendering;
+  const Camera& camera;
+  glm::ivec2 size;     ///< of the picture
+  Box box;             ///< what is rendered, in world units
+  double longest_ray;  ///< in it, in smallest spacings
+  StepLengths steps;   ///< on its rays
+
+  /// What the field can be where DVR samples it, and where surfaces lie.
+  ValueRange dvr_field() const { return field_range(dvr_filter(rendering), statistics.range); }
+  ValueRange surface_field() const { return field_range(root_filter(rendering), statistics.range); }
+  const std::vector<Peak>& surfaces() const { return classification.surfaces; }
+  bool is_semi_transparent() const { return rendering.illumination == Illumination::semi_transparent; }
+  std::string illumination() const {
+    return fmt::format("rendering.illumination is {}", name_of(rendering.illumination));
+  }
+  bool is_split() const { return rendering.peak_form == PeakForm::split; }
+
+  std::string why_nothing() const;
+  std::string why_no_base_tf() const;
+  std::string why_no_dvr() const;
+  std::string why_no_peaks() const;
+  std::string why_no_several_peaks(int peak_bins) const;
+  std::string why_no_preintegration() const;
+  std::string why_no_preintegration_table() const;
+  std::string why_no_own_root_filter(const Features& features) const;
+  std::string why_no_filter_gradient(const Features& features) const;
+  std::string why_no_clip_box() const;
+  std::string why_no_early_termination(const Features& features) const;
+  std::string why_no_empty_cells() const;
+  std::string why_no_long_rays(const Need& need) const;
+
+  /// What DVR shows in this mode.
+  const TransferFunction& dvr_tf() const {
+    return why_no_base_tf().empty() ? classification.base : classification.tf;
+  }
+  double aspect() const { return double(size.x) / size.y; }
+  /// Stretches of a ray that are marched on their own, at most: each may take two intervals more.
+  int spans(const Features& features) const;
+  /// Rounds of the loops that walk along a ray.
+  int walk_rounds(const Features& features) const;
+};
+
+}  // namespace crest
