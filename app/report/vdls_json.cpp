@@ -30,7 +30,7 @@ Json to_json(const VdlsSeries& series) {
   Json json{{"id", series.id}, {"title", series.title}, {"x_title", series.x_title}};
   for (const VdlsSeries::Point& point : series.points)
     json["points"].push_back({{"x", point.x}, {"label", point.label}, {"timings", to_json(point.timings)}});
-  if (series.points.size() == 1) return json;  // nothing to fit
+  if (!series.is_scaling) return json;
   for (std::size_t i = 0; i < series.points.front().timings.size(); ++i) {
     const PowerFit fit = fit_power(series, i);
     json["fits"].push_back({{"setup", series.points.front().timings[i].setup},

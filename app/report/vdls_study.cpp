@@ -85,12 +85,13 @@ void study_table(VdlsReport& report, Lab& lab, const std::vector<VdlsScene>& sce
 VdlsSeries study_intervals(Lab& lab, const VdlsScene& hydrogen) {
   VdlsOptions without;
   without.homo_regions = false;
-  auto setups = table_setups();
-  setups[0] = vdls_setup("VDLS without homo-regions", without);
-  setups[1].name = "VDLS with homo-regions";
+  auto setups = engine_setups();
+  setups.front().name = "VDLS with homo-regions";
+  setups.insert(setups.begin(), vdls_setup("VDLS without homo-regions", without));
   VdlsSeries series{"intervals",
                     "Figure 5: an interval of values is opaque, of " + hydrogen.title,
                     "interval of the volume's range",
+                    false,
                     {}};
   Scene scene = hydrogen.scene;
   constexpr int intervals = 8;
@@ -125,14 +126,14 @@ void study_quadtrees(VdlsReport& report, Lab& lab, const VdlsScene& scene) {
     report.quadtrees.push_back(
         {v.title, fmt::format("images/{}-vdls.png", scene.id), lab.renderer.vdls().last_work().nodes});
   }
-  report.series.push_back({"quadtrees", "Figure 6: quadtrees, of " + scene.title, "", {}});
+  report.series.push_back({"quadtrees", "Figure 6: quadtrees, of " + scene.title, "", false, {}});
   report.series.back().points.push_back({1, "", lab.time(scene.scene, setups, 0.08)});
 }
 
 /// Section 4.3: layers a pass, with the early test and without it.
 VdlsSeries study_layers(Lab& lab, const VdlsScene& scene) {
   VdlsSeries series{
-      "layers", "Section 4.3: layers that a pass takes, of " + scene.title, "layers a pass", {}};
+      "layers", "Section 4.3: layers that a pass takes, of " + scene.title, "layers a pass", false, {}};
   for (const int layers : {1, 2, 4, 8, 16}) {
     VdlsOptions early, late, backwards;
     early.layers_per_pass = late.layers_per_pass = backwards.layers_per_pass = layers;
@@ -152,13 +153,13 @@ VdlsSeries study_layers(Lab& lab, const VdlsScene& scene) {
 /// more samples.
 void study_scaling(VdlsReport& report, Lab& lab) {
   const auto setups = engine_setups();
-  VdlsSeries volumes{"volumes", "Figure 7: the volume grows", "points on an axis", {}};
+  VdlsSeries volumes{"volumes", "Figure 7: the volume grows", "points on an axis", true, {}};
   for (const int n : {16, 32, 64, 128}) {
     const VdlsScene scene = builtin_surface_scene(fmt::format("gyroid?n={}", n));
     volumes.points.push_back({double(n), fmt::format("{}", n), lab.time(scene.scene, setups, 0.025)});
   }
   const VdlsScene scene = builtin_surface_scene("marschner-lobb?n=41");
-  VdlsSeries images{"images", "Figure 8, left: the picture grows, two samples a voxel", "pixels", {}};
+  VdlsSeries images{"images", "Figure 8, left: the picture grows, two samples a voxel", "pixels", true, {}};
   Scene fine = scene.scene;
   fine.rendering.step = 0.5;
   for (const double share : {0.25, 0.5, 0.75, 1.0}) {
@@ -166,7 +167,7 @@ void study_scaling(VdlsReport& report, Lab& lab) {
     images.points.push_back({double(size.x) * size.y, fmt::format("{}x{}", size.x, size.y),
                              time_setups(lab.renderer, fine, size, setups, lab.effort(0.025))});
   }
-  VdlsSeries rates{"rates", "Figure 8, right: rays take more samples", "samples a voxel", {}};
+  VdlsSeries rates{"rates", "Figure 8, right: rays take more samples", "samples a voxel", true, {}};
   for (const double rate : {0.5, 1.0, 2.0, 4.0, 8.0}) {
     fine.rendering.step = 1 / rate;
     rates.points.push_back({rate, fmt::format("{}", rate), lab.time(fine, setups, 0.02)});
@@ -174,11 +175,13 @@ void study_scaling(VdlsReport& report, Lab& lab) {
   for (VdlsSeries* series : {&volumes, &images, &rates}) report.series.push_back(std::move(*series));
 }
 
-/// Figure 10: the post-shaded filters.
+/// Figure 10: the post-shaded filters, of the paper's grey ramp; lookup of the surfaces' colours.
 void study_filters(VdlsReport& report, Lab& lab, const VdlsScene& engine) {
-  Scene scene = engine.scene;
   for (const auto& [illumination, name] : names_of<Illumination>()) {
+    Scene scene = engine.scene;
     scene.rendering.illumination = illumination;
+    if (illumination != Illumination::lookup) scene.tf = grey_ramp(scene.volume->statistics.range);
+    if (illumination != Illumination::iso_surface) scene.rendering.shading = Shading::none;
     report.filters.push_back(
         {std::string(name), picture_pair(report, lab, fmt::format("filter-{}", name), scene)});
   }
@@ -194,11 +197,15 @@ void study_quality(VdlsReport& report, Lab& lab) {
                        [&](double) { return !lab.stop.stop_requested(); });
   report.pictures.push_back({"images/phantom-exact.png", exact.image()});
   lab.renderer.vdls().set_options({});
+  std::vector<std::string> post_features;
   const auto add = [&](std::string name, Engine engine, double rate, ClassificationMethod classification) {
     Scene scene = phantom.scene;
     scene.rendering.step = 1 / rate;
     scene.rendering.classification = classification;
     const Image image = lab.picture(scene, camera, engine);
+    const auto features = lab.renderer.need(scene, camera, lab.size).features.in;
+    if (classification != ClassificationMethod::post && features == post_features) return;  // it has no part
+    post_features = features;
     const std::string picture = fmt::format("images/phantom-{}.png", report.quality.size());
     const std::string errors = fmt::format("images/phantom-{}-error.png", report.quality.size());
     report.quality.push_back({std::move(name), picture, errors, rate,

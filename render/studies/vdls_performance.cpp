@@ -34,8 +34,11 @@ VdlsSetup vdls_setup(std::string name, const VdlsOptions& options) {
 }
 
 std::vector<VdlsSetup> table_setups() {
+  VdlsOptions enhanced;
+  enhanced.layers_per_pass = 2;
   return {vdls_setup("VDLS basic", VdlsOptions::basic()),
-          vdls_setup("VDLS enhanced", {}),
+          vdls_setup("VDLS enhanced", enhanced),
+          vdls_setup("VDLS", {}),
           {"ray caster", Engine::raycaster, {}, false},
           {"ray caster, skipping", Engine::raycaster, {}, true}};
 }

@@ -18,7 +18,8 @@ struct VdlsSetup {
   bool skipping = true;  ///< of the ray caster
 };
 VdlsSetup vdls_setup(std::string name, const VdlsOptions& options);
-/// VDLS basic and enhanced as in the paper, and the ray caster without skipping and with it.
+/// VDLS basic and enhanced as in the paper (two layers a pass), and as it is by default; the ray caster
+/// without skipping and with it.
 std::vector<VdlsSetup> table_setups();
 /// VDLS as it is by default, and the ray caster.
 std::vector<VdlsSetup> engine_setups();
@@ -48,6 +49,7 @@ std::vector<VdlsTiming> time_setups(Renderer& renderer, const Scene& scene, glm:
 /// Times along something that grows: a figure of the paper.
 struct VdlsSeries {
   std::string id, title, x_title;
+  bool is_scaling = false;  ///< x is what the times are to be proportional to
   struct Point {
     double x;
     std::string label;

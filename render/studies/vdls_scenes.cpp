@@ -25,15 +25,17 @@ ControlPoint point(double value, double opacity, glm::dvec3 color) {
 
 /// What stands for a volume of the paper: a file whose name begins so, or a built-in volume.
 struct Stand {
-  const char *id, *file, *builtin;
+  const char *id, *builtin;
   double threshold;
+  const char* file = "";
+  double file_threshold = 0;
 };
-constexpr Stand stands[] = {
-    {"harmonic", "", "gyroid?n=32", 0.6},        {"function", "", "marschner-lobb?n=64", 0.5},
-    {"hydrogen", "hydrogen", "noise?n=96", 0.6}, {"head", "mni152", "sphere?n=96", 0.5},
-    {"engine", "engine", "plume?n=96", 0.4},     {"bonsai", "bonsai", "vessels?n=96", 0.3}};
-/// Real volumes have their own.
-constexpr double real_threshold = 0.2;
+constexpr Stand stands[] = {{"harmonic", "gyroid?n=32", 0.6},
+                            {"function", "marschner-lobb?n=64", 0.5},
+                            {"hydrogen", "noise?n=96", 0.6, "hydrogen", 0.06},
+                            {"head", "sphere?n=96", 0.5, "mni152", 0.2},
+                            {"engine", "plume?n=96", 0.4, "engine", 0.3},
+                            {"bonsai", "vessels?n=96", 0.3, "bonsai", 0.15}};
 
 std::filesystem::path find_file(const std::filesystem::path& folder, const std::string& beginning) {
   if (folder.empty() || beginning.empty()) return {};
@@ -77,7 +79,8 @@ std::vector<VdlsScene> vdls_scenes(const std::filesystem::path& folder) {
     const std::string title =
         file.empty() ? std::string("builtin:") + stand.builtin : file.filename().string();
     const auto volume = std::make_shared<const Volume>(load_volume(file.empty() ? title : file.string()));
-    scenes.push_back(surface_scene(stand.id, title, volume, file.empty() ? stand.threshold : real_threshold));
+    scenes.push_back(
+        surface_scene(stand.id, title, volume, file.empty() ? stand.threshold : stand.file_threshold));
   }
   return scenes;
 }
@@ -88,6 +91,12 @@ TransferFunction opaque_interval(ValueRange field, double from, double to) {
   TransferFunction tf;
   tf.points = {point(at(from), 0, color), point(at(from), 0.9, color), point(at(to), 0.9, color),
                point(at(to), 0, color)};
+  return tf;
+}
+
+TransferFunction grey_ramp(ValueRange field) {
+  TransferFunction tf;
+  tf.points = {point(field.min, 0, glm::dvec3(0)), point(field.max, 1, glm::dvec3(1))};
   return tf;
 }
 

@@ -30,6 +30,9 @@ VdlsScene builtin_surface_scene(const std::string& query);
 /// Opaque in one interval of the volume's range, from and to as shares, and transparent elsewhere.
 TransferFunction opaque_interval(ValueRange field, double from, double to);
 
+/// The paper's R = G = B = alpha = D, where D runs from 0 to 1 over the volume's range.
+TransferFunction grey_ramp(ValueRange field);
+
 /// A phantom of 64^3: shells of a sphere in haze, unshaded.
 VdlsScene phantom_scene();
 

@@ -74,8 +74,8 @@ TEST(SetField, RefusesWhatIsNotThere) {
   EXPECT_EQ(error_of("rendering.stp=1"),
             "rendering.stp: no field \"stp\"; rendering has: mode, peak_form, engine, classification, "
             "preintegration_bins, step, placement, sampling, s_k, adaptive, skipping, filter, root_filter, "
-            "bc_b, bc_c, "
-            "max_peaks, peak_bins, shading, gradient, illumination, early_termination, clip_box, background");
+            "bc_b, bc_c, max_peaks, peak_bins, shading, gradient, illumination, early_termination, clip_box, "
+            "background");
   EXPECT_EQ(
       error_of("render.step=1"),
       "render.step: no field \"render\"; a preset has: format, version, name, notes, transfer_function, "
