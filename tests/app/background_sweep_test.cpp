@@ -59,10 +59,10 @@ class BackgroundSweepTest : public ::testing::Test {
     subject.size = {8, 8};
   }
 
-  /// Until it is true, at most some seconds.
+  /// Until it is true, at most a minute: a busy machine takes some seconds.
   template <class Condition>
   static bool wait_for(Condition condition) {
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < 12000; ++i) {
       if (condition()) return true;
       std::this_thread::sleep_for(5ms);
     }
@@ -288,7 +288,7 @@ TEST(OffscreenSweep, MeasuresAScene) {
   BackgroundSweep sweep;
   sweep.update(subject, Clock::now());
   sweep.switch_on();
-  for (int i = 0; i < 4000 && sweep.results().measured.size() < 4 && sweep.results().is_running; ++i)
+  for (int i = 0; i < 24000 && sweep.results().measured.size() < 4 && sweep.results().is_running; ++i)
     std::this_thread::sleep_for(5ms);
   const AccuracyResults results = sweep.results();
   ASSERT_EQ(results.error, "");

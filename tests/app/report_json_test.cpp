@@ -155,6 +155,7 @@ TEST(PicturedPoints, AreTheTypicalStepAndTheCheapestUnderTheTarget) {
     m.step = step;
     m.frame_ms = 1 / step;
     ImageError e;
+    e.compared.pixels = 100;
     e.compared.rmse = error;
     m.errors = {{Answer::integral, e}};
     points.push_back(m);
