@@ -6,7 +6,11 @@ program=$1 preset=$2 screenshot=$3
 source "$(dirname "$0")/drive.sh"
 cp "$preset" "$work/preset.json"
 
-timeout 100 "$program" "builtin:plume?n=64" --preset "$work/preset.json" --log-layout "$layout" &
+# A measured point of the scene's own mode, at another step than the preset's; points that others cover are not in the layout.
+measured() { awk -F '\t' '/^measured\/xor\// && $1 != "measured/xor/0.5" { print $1; exit }' "$layout"; }
+has_measured() { [ -n "$(measured)" ]; }
+
+timeout 250 "$program" "builtin:plume?n=64" --preset "$work/preset.json" --log-layout "$layout" &
 wait_for 30 has_widget view0
 wait_for 60 is_idle
 title_is 'preset.json - *' || fail "title at the start: $(value_of title)"
@@ -25,8 +29,8 @@ changed=$(diff "$preset" "$work/preset.json" | grep -c '^>' || true)
 click tab/Accuracy
 wait_for 10 has_widget measure
 click measure
-wait_for 60 has_widget measured/xor/1
-click measured/xor/1
+wait_for 120 has_measured
+click "$(measured)"
 wait_for 10 title_is '\* preset.json*'
 xdotool key ctrl+z
 wait_for 10 title_is 'preset.json*'
