@@ -33,12 +33,11 @@ void print_table(const std::vector<Row>& rows) {
                row.measured, name_of(row.verdict));
 }
 
-/// All rows, with a progress bar. Throws Error when it is interrupted.
-std::vector<Row> measure_rows(Raycaster& raycaster, glm::ivec2 size) {
-  const Interrupt interrupt;
+/// All rows, with a progress bar. Throws Error when a stop is asked for.
+std::vector<Row> measure_rows(Raycaster& raycaster, glm::ivec2 size, std::stop_token stop) {
   ProgressBar bar;
   const auto cases = stability::all_cases();
-  stability::Lab lab{raycaster, size, interrupt.token()};
+  stability::Lab lab{raycaster, size, std::move(stop)};
   try {
     return stability::run(lab, cases, [&](const stability::Case& next) {
       bar.show(double(&next - cases.data()) / double(cases.size()), next.name);
@@ -58,11 +57,12 @@ glm::ivec2 square_pixels(const std::string& text) {
 
 void run_stability(const StabilityOptions& options) {
   const glm::ivec2 size = square_pixels(options.size);
+  const Interrupt interrupt;
   std::optional<OutputFolder> folder;
   if (!options.output.empty()) folder.emplace(options.output);
   const OffscreenContext context(options.device);
   Raycaster raycaster;
-  const std::vector<Row> rows = measure_rows(raycaster, size);
+  const std::vector<Row> rows = measure_rows(raycaster, size, interrupt.token());
   const Json json = stability_json(rows, context.renderer());
   if (folder) write_stability(rows, json, options.output);
   if (options.json)

@@ -162,8 +162,8 @@ void run_study(const ReportOptions& options, std::stop_token stop) {
 
 void run_report(const ReportOptions& options) {
   pixels_of(options.size);  // a wrong one is found before any work
-  const OutputFolder folder(options.output);
   const Interrupt interrupt;
+  const OutputFolder folder(options.output);
   if (options.study.empty())
     make_report(options, interrupt.token());
   else
