@@ -97,7 +97,7 @@ const KnollSceneRow rows[] = {
      "builtin:plume?n=96&seed=3",
      "",
      no_fireset,
-     "fire",
+     "fireset",
      "",
      nullptr,
      &close},
