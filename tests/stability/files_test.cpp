@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +55,7 @@ TEST(StabilityFiles, NoLimitAndNoNumber) {
 }
 
 TEST(StabilityFiles, TheFolderHasTheTableAndAPageThatStandsAlone) {
-  const fs::path folder = fs::path(testing::TempDir()) / "crest-stability-files";
+  const fs::path folder = fs::path(testing::TempDir()) / ("crest-stability-files-" + std::to_string(::getpid()));
   fs::create_directory(folder);
   Row empty = a_row();
   empty.picture = {};

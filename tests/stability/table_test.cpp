@@ -1,5 +1,7 @@
 #include "render/stability/table.h"
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -111,7 +113,7 @@ class Fault {
   const fs::path& shaders() const { return folder_; }
 
  private:
-  fs::path folder_ = fs::path(testing::TempDir()) / "crest-faulty-shaders";
+  fs::path folder_ = fs::path(testing::TempDir()) / ("crest-faulty-shaders-" + std::to_string(::getpid()));
 };
 
 TEST_F(StabilityTable, NothingOrNoNumberDrawnFails) {
