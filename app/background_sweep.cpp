@@ -27,8 +27,10 @@ void lower_priority() { setpriority(PRIO_PROCESS, 0, politeness); }
 }  // namespace
 
 bool is_same_sweep(const SweepSubject& a, const SweepSubject& b) {
-  // All that a method takes from the scene, whichever it is
-  const auto taken = [](const Rendering& r) { return measured_rendering(methods().front(), 1, r); };
+  // All that a method takes from the scene, but for the filters: a sweep has methods of each
+  const auto taken = [](const Rendering& r) {
+    return measured_rendering(methods().front(), 1, with_filters_of(r, {}));
+  };
   const Rendering &ra = a.scene.rendering, &rb = b.scene.rendering;
   return a.scene.volume == b.scene.volume && a.scene.tf == b.scene.tf && a.camera == b.camera &&
          a.size == b.size && (ra == rb || taken(ra) == taken(rb));
@@ -173,6 +175,7 @@ void BackgroundSweep::run(const SweepRenderer& renderer, const SweepSubject& sub
     if (!std::exchange(is_first, false)) return;
     found.measured.clear();
     found.is_stale = false;
+    found.rendering = subject.scene.rendering;
     found.size = subject.size;
     found.renderer = renderer.name;
   };
@@ -200,7 +203,7 @@ Measurer BackgroundSweep::resting(Measurer measurer, const std::stop_token& stop
   measurer.start = after_rest(std::move(measurer.start));
   measurer.picture = after_rest(std::move(measurer.picture));
   measurer.frame = after_rest(std::move(measurer.frame));
-  measurer.reference = [this, stopped, render = std::move(measurer.reference)](Answer answer,
+  measurer.reference = [this, stopped, render = std::move(measurer.reference)](const ExactAnswer& answer,
                                                                                const Progress& progress) {
     return render(answer, [&](double done) {
       rest(stopped);

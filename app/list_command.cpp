@@ -35,7 +35,8 @@ void list_methods() {
   fmt::print("What crest report measures, against which exact answers:\n");
   for (const Method& method : methods()) {
     std::string answers;
-    for (const Answer answer : answers_of(method)) answers += fmt::format(" {}", name_of(answer));
+    for (const ExactAnswer& exact : exact_answers_of(method))
+      answers += fmt::format("{} {}", answers.empty() ? "" : ",", name_of(exact));
     fmt::print("  {:<16} {}\n{:18} {}; against{}\n", method.id, method.name, "", method.settings, answers);
   }
 }

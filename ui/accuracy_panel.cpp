@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ui/accuracy_shown.h"
@@ -16,8 +15,20 @@ namespace {
 constexpr float least_diagram = 190;  // pixels of height, before the panel scrolls
 constexpr std::size_t most_told = 24;
 
-constexpr std::array answers{Answer::integral, Answer::crossings, Answer::integral_and_crossings,
-                             Answer::base_and_crossings};
+/// The four of the field that was measured, then those of other filters.
+std::vector<ExactAnswer> offered_answers(const ShownAccuracy& shown) {
+  std::vector<ExactAnswer> answers;
+  for (const Answer answer :
+       {Answer::integral, Answer::crossings, Answer::integral_and_crossings, Answer::base_and_crossings})
+    answers.emplace_back(answer, filters_of(answer, shown.results.rendering));
+  const auto add = [&](const ExactAnswer& answer) {
+    if (std::ranges::find(answers, answer) == answers.end()) answers.push_back(answer);
+  };
+  for (const Measurement& m : shown.results.measured)
+    for (const AnswerError& error : m.errors) add(error.answer);
+  add(shown.answer);
+  return answers;
+}
 
 constexpr const char* explanation_of(Answer answer) {
   switch (answer) {
@@ -67,19 +78,26 @@ void switch_row(StudioState& state, const StudioInputs& inputs, const AccuracyRe
   if (!results.error.empty()) tip(results.error.c_str());
 }
 
-void answer_row(AccuracyState& state, WidgetState& widgets, const AccuracyResults& results, Answer shown) {
+void answer_rows(AccuracyState& state, WidgetState& widgets, const ShownAccuracy& shown) {
   field_label("against");
-  for (const Answer answer : answers) {
-    const std::string name(name_of(answer));
+  const float begin = ImGui::GetCursorPosX(), right = begin + ImGui::GetContentRegionAvail().x;
+  for (const ExactAnswer& answer : offered_answers(shown)) {
+    const std::string name = name_of(answer);
     const bool is_there = std::ranges::any_of(
-        results.measured, [&](const Measurement& m) { return m.error_against(answer) != nullptr; });
-    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(answer == shown ? ImGuiCol_HeaderActive
-                                                                                    : ImGuiCol_FrameBg));
-    ImGui::PushStyleColor(ImGuiCol_Text, is_there || answer == shown ? palette::text : palette::dim);
+        shown.results.measured, [&](const Measurement& m) { return m.error_against(answer) != nullptr; });
+    const bool is_shown = answer == shown.answer;
+    const float width = ImGui::CalcTextSize(name.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::GetCursorPosX() > begin && ImGui::GetCursorPosX() + width > right) {
+      ImGui::NewLine();
+      ImGui::SetCursorPosX(begin);
+    }
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetStyleColorVec4(is_shown ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
+    ImGui::PushStyleColor(ImGuiCol_Text, is_there || is_shown ? palette::text : palette::dim);
     if (ImGui::Button(name.c_str())) state.answer = answer;
     ImGui::PopStyleColor(2);
     note_item(widgets, "answer/" + name);
-    tip(explanation_of(answer));
+    tip(explanation_of(answer.answer));
     ImGui::SameLine(0, scaled(3));
   }
   ImGui::NewLine();
@@ -248,7 +266,7 @@ bool accuracy_panel(Document& document, StudioState& state, const StudioInputs& 
   const AccuracyResults& results = inputs.accuracy ? *inputs.accuracy : nothing;
   const ShownAccuracy shown = shown_accuracy(results, state.accuracy, document.preset.rendering);
   switch_row(state, inputs, results, requests);
-  answer_row(state.accuracy, state.widgets, results, shown.answer);
+  answer_rows(state.accuracy, state.widgets, shown);
   target_row(state.accuracy.target, state.widgets);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float row = ImGui::GetFontSize() + 2 * style.CellPadding.y;

@@ -116,7 +116,7 @@ float LogAxis::place(double value) const {
   return from + (to - from) * float(std::log(value / low) / std::log(high / low));
 }
 
-std::vector<MethodLine> method_lines(std::span<const Measurement> measured, Answer answer,
+std::vector<MethodLine> method_lines(std::span<const Measurement> measured, const ExactAnswer& answer,
                                      const ErrorMeasure& measure) {
   std::vector<MethodLine> lines;
   const auto all = points_against(measured, answer, measure);

@@ -24,7 +24,7 @@ struct MethodLine {
   std::vector<AnswerPoint> points;
 };
 /// Of the methods that have any points, in the order of methods().
-std::vector<MethodLine> method_lines(std::span<const Measurement> measured, Answer answer,
+std::vector<MethodLine> method_lines(std::span<const Measurement> measured, const ExactAnswer& answer,
                                      const ErrorMeasure& measure);
 
 /// The point of a step on a method's line: measured, or between its two neighbours. Nothing beyond the ends.

@@ -16,6 +16,7 @@ struct AccuracyResults {
   std::string doing;                  ///< "exact answer 'integral'", "dvr at step 0.25"; empty at rest
   double done = 0;                    ///< how far it is with that, in [0, 1]
   std::string error;                  ///< why it ended early; empty if it did not
+  Rendering rendering;                ///< of the scene as it was measured: its filters are the methods' own
   glm::ivec2 size{0};                 ///< pixels of the measured pictures
   std::string renderer;               ///< as the driver names itself
   std::vector<Measurement> measured;  ///< in the order in which they came

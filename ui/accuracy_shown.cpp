@@ -12,10 +12,10 @@ namespace crest {
 namespace {
 
 /// The lookup takes a millisecond or so, hence once for each setting.
-const Method* method_of(const Rendering& rendering, AccuracyState& state) {
+const Method* method_of(const Rendering& rendering, const Rendering& base, AccuracyState& state) {
   if (state.present && state.present->rendering == rendering) return state.present->method;
   const auto found = std::ranges::find_if(methods(), [&](const Method& method) {
-    return with_method(rendering, method, rendering.step) == rendering;
+    return with_method(base, method, rendering.step) == rendering;
   });
   state.present = {rendering, found == methods().end() ? nullptr : &*found};
   return state.present->method;
@@ -30,7 +30,7 @@ WorkPrecision ShownAccuracy::point_of(std::size_t measured) const {
 
 ShownAccuracy shown_accuracy(const AccuracyResults& results, AccuracyState& state,
                              const Rendering& rendering) {
-  ShownAccuracy shown{results, state.answer.value_or(answers_of(rendering).front()), state.target};
+  ShownAccuracy shown{results, state.answer.value_or(exact_answers_of(rendering).front()), state.target};
   const auto& measured = results.measured;
   if (measured.empty()) return shown;
   const ErrorMeasure& measure = *shown.target.measure;
@@ -40,7 +40,8 @@ ShownAccuracy shown_accuracy(const AccuracyResults& results, AccuracyState& stat
   shown.recommended = cheapest_under(measured, shown.answer, shown.target);
   for (MethodConvergence& convergence : convergence_of(measured, shown.target))
     if (convergence.answer == shown.answer) shown.convergences.push_back(std::move(convergence));
-  shown.present = method_of(rendering, state);
+  shown.base = with_filters_of(rendering, results.rendering);
+  shown.present = method_of(rendering, shown.base, state);
   for (const MethodLine& line : shown.lines)
     if (line.method == shown.present) shown.present_point = point_at_step(line, measured, rendering.step);
   return shown;
@@ -60,7 +61,7 @@ bool apply_setting(Document& document, AccuracyState& state, const ShownAccuracy
   if (!method) return false;
   state.answer = shown.answer;  // stays, whatever mode the document takes
   const Rendering before = document.preset.rendering;
-  document.preset.rendering = with_method(before, *method, m.step);
+  document.preset.rendering = with_method(shown.base, *method, m.step);
   return document.preset.rendering != before;
 }
 

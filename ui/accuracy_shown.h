@@ -13,12 +13,13 @@ namespace crest {
 /// What the accuracy panel shows: the results against one exact answer.
 struct ShownAccuracy {
   const AccuracyResults& results;
-  Answer answer;
+  ExactAnswer answer;
   TargetError target;
   std::vector<MethodLine> lines{};
   std::vector<WorkPrecision> front{};  ///< what no other setting beats, by time
   std::vector<MethodConvergence> convergences{};
   std::optional<std::size_t> recommended{};  ///< the cheapest that meets the target, in what was measured
+  Rendering base{};  ///< the document's settings, with the filters of what was measured: methods change these
   const Method* present = nullptr;  ///< as the document renders; null where none of methods() does so
   std::optional<WorkPrecision> present_point{};
 

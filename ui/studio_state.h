@@ -21,7 +21,8 @@ struct ViewsState {
 };
 
 struct AccuracyState {
-  std::optional<Answer> answer;  ///< against which errors are shown; without one, that of the preset's mode
+  std::optional<ExactAnswer>
+      answer;  ///< against which errors are shown; without one, that of the preset's mode
   TargetError target = default_target();
   std::string_view hovered_method;  ///< in the list, in the last frame: a Method::id
   struct Present {

@@ -33,12 +33,16 @@ struct Report {
   std::vector<Measurement> points;
   std::map<std::size_t, Image> pictures;  ///< of some points: see keep_picture()
   std::vector<MethodStart> starts;
-  std::map<Answer, Reference> references;
+  std::map<ExactAnswer, Reference> references;
   std::vector<LeftOut> left_out;
   double seconds = 0, reference_seconds = 0;
   bool stopped = false;  ///< before its time, by the person
 
   glm::vec3 background() const { return scene.rendering.background; }
+  /// `integral` of the scene's own field.
+  ExactAnswer own_integral() const {
+    return {Answer::integral, filters_of(Answer::integral, scene.rendering)};
+  }
 };
 
 /// Runs a whole sweep into `report`, whose first fields are set. A GL 4.5 context is current.
@@ -49,8 +53,8 @@ inline constexpr double typical_step = 0.5;
 /// and of its cheapest point under the target, for each answer: `points` without pictures.
 std::vector<std::size_t> pictured_points(const std::vector<Measurement>& points, const TargetError& target);
 
-/// The difference of an answer's exact picture from that of `integral`: the mode's, not an error. Nothing
-/// without both.
-std::optional<ImageError> model_difference(const Report& report, Answer answer);
+/// The difference of an answer's exact picture from that of own_integral(): the mode's and the filter's, not
+/// an error. Nothing without both.
+std::optional<ImageError> model_difference(const Report& report, const ExactAnswer& answer);
 
 }  // namespace crest

@@ -67,11 +67,11 @@ Json to_json(const Measurement& m, const Report& report, bool has_picture) {
 Json index_or_null(const std::optional<std::size_t>& index) { return index ? Json(*index) : Json(); }
 
 /// One exact answer: its picture, what lies on its front in each measure, and the cheapest under the target.
-Json answer_json(const Report& report, Answer answer, const Reference& exact) {
+Json answer_json(const Report& report, const ExactAnswer& answer, const Reference& exact) {
   double crossings = 0;
   for (const std::uint32_t count : exact.crossings) crossings += count;
   Json json{{"name", name_of(answer)},
-            {"own", answer == answers_of(report.scene.rendering).front()},
+            {"own", answer == exact_answers_of(report.scene.rendering).front()},
             {"picture", exact_picture_name(answer)},
             {"crossings_per_ray", crossings / double(exact.pixels.size())},
             {"cheapest", index_or_null(cheapest_under(report.points, answer, report.settings.target))}};

@@ -29,7 +29,9 @@ glm::vec4 error_color(float error) {
 }
 
 std::string in_file_name(std::string text) {
-  std::ranges::replace(text, '+', '-');
+  std::erase_if(text, [](char c) { return c == '(' || c == ')' || c == ','; });
+  std::ranges::replace_if(
+      text, [](char c) { return c == '+' || c == ' '; }, '-');
   return text;
 }
 
@@ -72,13 +74,15 @@ Image error_picture(const Reference& exact, const Image& image) {
 
 std::string picture_name(const Measurement& point) { return file_name(stem(point)); }
 
-std::string error_picture_name(const Measurement& point, Answer answer) {
+std::string error_picture_name(const Measurement& point, const ExactAnswer& answer) {
   return file_name(fmt::format("{}-error-{}", stem(point), name_of(answer)));
 }
 
-std::string exact_picture_name(Answer answer) { return file_name(fmt::format("exact-{}", name_of(answer))); }
+std::string exact_picture_name(const ExactAnswer& answer) {
+  return file_name(fmt::format("exact-{}", name_of(answer)));
+}
 
-std::string difference_picture_name(Answer answer) {
+std::string difference_picture_name(const ExactAnswer& answer) {
   return file_name(fmt::format("model-difference-{}", name_of(answer)));
 }
 
@@ -92,7 +96,7 @@ std::vector<std::string> write_pictures(const Report& report, const std::filesys
     write(exact_picture_name(answer), exact.image());
     if (model_difference(report, answer))
       write(difference_picture_name(answer),
-            error_picture(report.references.at(Answer::integral), exact.image()));
+            error_picture(report.references.at(report.own_integral()), exact.image()));
   }
   for (const auto& [index, image] : report.pictures) {
     const Measurement& point = report.points[index];

@@ -28,9 +28,9 @@ Image error_picture(const Reference& exact, const Image& image);
 
 /// File names below the report's folder.
 std::string picture_name(const Measurement& point);
-std::string error_picture_name(const Measurement& point, Answer answer);
-std::string exact_picture_name(Answer answer);
-std::string difference_picture_name(Answer answer);
+std::string error_picture_name(const Measurement& point, const ExactAnswer& answer);
+std::string exact_picture_name(const ExactAnswer& answer);
+std::string difference_picture_name(const ExactAnswer& answer);
 
 /// Writes all pictures of a report below `folder` and returns their names. Throws Error.
 std::vector<std::string> write_pictures(const Report& report, const std::filesystem::path& folder);

@@ -90,9 +90,11 @@ Measurer::FrameTime time_frame(SceneRenderer& renderer, const Rendering& renderi
 Measurer measure_scene(Scene scene, Camera camera, glm::ivec2 size, std::filesystem::path cache) {
   const auto renderer = std::make_shared<SceneRenderer>(scene, camera, size);
   Measurer measurer;
-  measurer.reference = [=](Answer answer, const Progress& progress) {
-    return render_reference_cached(cache, default_cache_bytes, scene, camera, size, answer, default_tolerance,
-                                   progress)
+  measurer.reference = [=](const ExactAnswer& exact, const Progress& progress) {
+    Scene filtered = scene;
+    filtered.rendering = with_filters(scene.rendering, exact.filters);
+    return render_reference_cached(cache, default_cache_bytes, filtered, camera, size, exact.answer,
+                                   default_tolerance, progress)
         .reference;
   };
   measurer.start = [=](const Rendering& rendering) { return measure_start(*renderer, rendering); };

@@ -20,7 +20,7 @@ std::string_view name_of(Why why) {
   return "";
 }
 
-const ImageError* Measurement::error_against(Answer answer) const {
+const ImageError* Measurement::error_against(const ExactAnswer& answer) const {
   const auto found = std::ranges::find(errors, answer, &AnswerError::answer);
   return found == errors.end() ? nullptr : &found->error;
 }

@@ -21,7 +21,7 @@ enum class Why {
 std::string_view name_of(Why why);
 
 struct AnswerError {
-  Answer answer;
+  ExactAnswer answer;
   ImageError error;
 };
 
@@ -47,7 +47,7 @@ struct Measurement {
   std::vector<AnswerError> errors;  ///< against each exact answer of the method that is there
 
   /// Null where it is not measured against that answer.
-  const ImageError* error_against(Answer answer) const;
+  const ImageError* error_against(const ExactAnswer& answer) const;
 };
 
 /// What a method costs at once, beyond its frames.

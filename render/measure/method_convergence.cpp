@@ -26,7 +26,7 @@ double residual(const OrderFit& fit, std::span<const double> steps, std::span<co
   return largest;
 }
 
-std::optional<OrderFit> fit_of(const std::string& method, Answer answer,
+std::optional<OrderFit> fit_of(const std::string& method, const ExactAnswer& answer,
                                std::span<const Measurement> measured) {
   std::vector<std::pair<double, double>> points;
   for (const Measurement& m : measured)

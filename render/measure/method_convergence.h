@@ -13,7 +13,7 @@ namespace crest {
 /// How a method converges to one of its exact answers.
 struct MethodConvergence {
   std::string method;
-  Answer answer;
+  ExactAnswer answer;
   /// Of the RMSE: see fit_finest_order().
   std::optional<OrderFit> fit;
   /// The index of the fastest of its points that meets the target.

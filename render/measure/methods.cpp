@@ -19,6 +19,8 @@ constexpr Method table[] = {
     {"dvr-pre-table", "DVR, pre-integrated, table of two values",
      "mode=DVR_ONLY classification=preintegrated_table placement=entry"},
     {"dvr-linear-exact", "DVR, trilinear in float", "mode=DVR_ONLY filter=linear_exact"},
+    {"dvr-bspline", "DVR, cubic B-spline", "mode=DVR_ONLY filter=bspline"},
+    {"dvr-bc", "DVR, cubic filter of Mitchell and Netravali", "mode=DVR_ONLY filter=bc"},
     {"dvr-differential", "DVR, steps as published (s_k = 8 step)", "mode=DVR_ONLY sampling=differential",
      true, 8},
     {"dvr-footprint", "DVR, steps by footprint (s_k = 8 step)", "mode=DVR_ONLY sampling=footprint", true, 8},
@@ -33,6 +35,12 @@ constexpr Method table[] = {
      "mode=PEAK_XOR_DVR peak_form=split classification=preintegrated_table placement=entry"},
     {"xor-linear-exact", "Peaks and base TF, trilinear in float",
      "mode=PEAK_XOR_DVR peak_form=split filter=linear_exact root_filter=linear_exact"},
+    {"xor-bspline", "Peaks and base TF, cubic B-spline",
+     "mode=PEAK_XOR_DVR peak_form=split filter=bspline root_filter=bspline"},
+    {"xor-bc", "Peaks and base TF, cubic filter of Mitchell and Netravali",
+     "mode=PEAK_XOR_DVR peak_form=split filter=bc root_filter=bc"},
+    {"xor-root-bspline", "Peaks of a cubic B-spline, base TF trilinear",
+     "mode=PEAK_XOR_DVR peak_form=split filter=linear root_filter=bspline"},
     {"xor-differential", "Peaks and base TF, steps as published (s_k = 8 step)",
      "mode=PEAK_XOR_DVR sampling=differential", true, 8},
     {"xor-footprint", "Peaks and base TF, steps by footprint (s_k = 8 step)",
@@ -54,11 +62,23 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-/// Whether a method sets a filter whose exact answer is not that of the scene's own.
-bool has_other_field(const Method& method, const Rendering& scene) {
-  const Rendering own = measured_rendering(method, scene.step, scene);
-  return std::ranges::any_of(
-      answers_of(own), [&](Answer answer) { return filters_of(answer, own) != filters_of(answer, scene); });
+/// How a method renders a scene, with the filters written out: those that it does not use are the others.
+Rendering in_full(const Method& method, const Rendering& scene) {
+  Rendering r = measured_rendering(method, scene.step, scene);
+  if (r.mode == Mode::dvr_only) r.root_filter = r.filter;
+  r.root_filter = root_filter(r).kind;
+  if (r.mode == Mode::peak_only) r.filter = *r.root_filter;
+  return r;
+}
+
+/// A method before this one in the table that renders the scene in the same way: where the scene has the
+/// filters that this one sets.
+const Method* find_twin(const Method& method, const Rendering& scene) {
+  for (const Method& other : table) {
+    if (other.id == method.id) return nullptr;
+    if (in_full(other, scene) == in_full(method, scene)) return &other;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -74,8 +94,7 @@ Rendering measured_rendering(const Method& method, double step, const Rendering&
   Preset preset;
   preset.rendering.clip_box = scene.clip_box;
   preset.rendering.background = scene.background;
-  preset.rendering.filter = scene.filter;
-  preset.rendering.root_filter = scene.root_filter;
+  preset.rendering = with_filters_of(preset.rendering, scene);
   preset.rendering.bc_b = scene.bc_b;
   preset.rendering.bc_c = scene.bc_c;
   preset.rendering.max_peaks = scene.max_peaks;
@@ -91,6 +110,12 @@ Rendering measured_rendering(const Method& method, double step, const Rendering&
   return preset.rendering;
 }
 
+Rendering with_filters_of(Rendering rendering, const Rendering& other) {
+  rendering.filter = other.filter;
+  rendering.root_filter = other.root_filter;
+  return rendering;
+}
+
 Rendering with_method(const Rendering& scene, const Method& method, double step) {
   Rendering rendering = measured_rendering(method, step, scene);
   rendering.shading = scene.shading;
@@ -102,14 +127,14 @@ Rendering with_method(const Rendering& scene, const Method& method, double step)
   return rendering;
 }
 
-std::vector<Answer> answers_of(const Method& method) {
-  return answers_of(measured_rendering(method, Rendering{}.step, {}));
+std::vector<ExactAnswer> exact_answers_of(const Method& method, const Rendering& scene) {
+  return exact_answers_of(measured_rendering(method, scene.step, scene));
 }
 
 std::string why_left_out(const Method& method, const Scene& scene) {
   const Mode mode = measured_rendering(method, scene.rendering.step, scene.rendering).mode;
-  if (has_other_field(method, scene.rendering))
-    return "the scene's filters make another field, of which its exact answer is not";
+  if (const Method* twin = find_twin(method, scene.rendering))
+    return fmt::format("with this scene's filters it is {}", twin->id);
   const bool is_clear = std::ranges::none_of(scene.tf.points, [](const auto& p) { return p.opacity > 0; });
   if (mode == Mode::dvr_only && is_clear) return "no point of the transfer function has an opacity";
   if (mode == Mode::dvr_only) return "";

@@ -30,16 +30,19 @@ std::span<const Method> methods();
 const Method* find_method(std::string_view id);
 
 /// The settings with which a method is measured in a scene: the method's own; of the scene's, the filters
-/// (they are part of what is rendered, since each field has its own exact answer), clip box, background,
-/// max_peaks and the tables' bins; everything else as it is by default. So shading, which has no exact
-/// answer, and early termination, which adds an error of its own, are off.
+/// that it does not set, clip box, background, max_peaks and the tables' bins; everything else as it is by
+/// default. So shading, which has no exact answer, and early termination, which adds an error of its own, are
+/// off.
 Rendering measured_rendering(const Method& method, double step, const Rendering& scene);
+
+/// The setting with another one's filters for DVR and surfaces.
+Rendering with_filters_of(Rendering rendering, const Rendering& other);
 
 /// The scene's settings changed to a method, which leaves its shading and its early termination as they are.
 Rendering with_method(const Rendering& scene, const Method& method, double step);
 
-/// The exact answers that a method is measured against.
-std::vector<Answer> answers_of(const Method& method);
+/// The exact answers that a method is measured against in a scene: each field has its own.
+std::vector<ExactAnswer> exact_answers_of(const Method& method, const Rendering& scene = {});
 
 /// Why it would show nothing, or the same as a simpler one, in a scene; empty where it makes sense.
 std::string why_left_out(const Method& method, const Scene& scene);

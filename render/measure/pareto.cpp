@@ -22,7 +22,7 @@ std::vector<std::size_t> pareto_front(std::span<const WorkPrecision> points) {
   return front;
 }
 
-std::vector<AnswerPoint> points_against(std::span<const Measurement> measured, Answer answer,
+std::vector<AnswerPoint> points_against(std::span<const Measurement> measured, const ExactAnswer& answer,
                                         const ErrorMeasure& measure) {
   std::vector<AnswerPoint> points;
   for (std::size_t i = 0; i < measured.size(); ++i)
@@ -31,7 +31,7 @@ std::vector<AnswerPoint> points_against(std::span<const Measurement> measured, A
   return points;
 }
 
-std::vector<std::size_t> pareto_front(std::span<const Measurement> measured, Answer answer,
+std::vector<std::size_t> pareto_front(std::span<const Measurement> measured, const ExactAnswer& answer,
                                       const ErrorMeasure& measure) {
   const auto candidates = points_against(measured, answer, measure);
   std::vector<WorkPrecision> points;
@@ -41,7 +41,7 @@ std::vector<std::size_t> pareto_front(std::span<const Measurement> measured, Ans
   return front;
 }
 
-std::optional<std::size_t> cheapest_under(std::span<const Measurement> measured, Answer answer,
+std::optional<std::size_t> cheapest_under(std::span<const Measurement> measured, const ExactAnswer& answer,
                                           const TargetError& target, std::string_view method) {
   std::optional<std::size_t> best;
   for (const AnswerPoint& p : points_against(measured, answer, *target.measure)) {

@@ -23,16 +23,16 @@ struct AnswerPoint {
   std::size_t index = 0;
   WorkPrecision point;
 };
-std::vector<AnswerPoint> points_against(std::span<const Measurement> measured, Answer answer,
+std::vector<AnswerPoint> points_against(std::span<const Measurement> measured, const ExactAnswer& answer,
                                         const ErrorMeasure& measure);
 
 /// The indices into `measured` of the front against one answer.
-std::vector<std::size_t> pareto_front(std::span<const Measurement> measured, Answer answer,
+std::vector<std::size_t> pareto_front(std::span<const Measurement> measured, const ExactAnswer& answer,
                                       const ErrorMeasure& measure);
 
 /// The index of the fastest setting that meets the target against an answer, of one method or of any; nothing
 /// where none does.
-std::optional<std::size_t> cheapest_under(std::span<const Measurement> measured, Answer answer,
+std::optional<std::size_t> cheapest_under(std::span<const Measurement> measured, const ExactAnswer& answer,
                                           const TargetError& target, std::string_view method = {});
 
 }  // namespace crest

@@ -39,8 +39,8 @@ bool covers(const Method& method, double step) {
 /// The step whose measurement says most about where a method begins to meet the target: the middle one
 /// between the finest coarser step that misses it and the coarsest that meets it, or two steps finer than all
 /// so far. Nothing where that is known, or not to be expected on the whole ladder.
-std::optional<double> step_towards_target(const Method& method, Answer answer, const TargetError& target,
-                                          std::span<const Measurement> measured) {
+std::optional<double> step_towards_target(const Method& method, const ExactAnswer& answer,
+                                          const TargetError& target, std::span<const Measurement> measured) {
   double coarsest_met = 0, finest = 1e9;
   for (const Measurement* m : of_method(method.id, measured)) {
     const ImageError* error = m->error_against(answer);
@@ -63,9 +63,18 @@ std::optional<double> step_towards_target(const Method& method, Answer answer, c
   return between[between.size() - std::min<std::size_t>(2, between.size())];
 }
 
+/// The exact answers that a method was measured against.
+std::vector<ExactAnswer> answers_of(const Method& method, std::span<const Measurement> measured) {
+  std::vector<ExactAnswer> answers;
+  for (const Measurement* m : of_method(method.id, measured))
+    for (const AnswerError& error : m->errors)
+      if (std::ranges::find(answers, error.answer) == answers.end()) answers.push_back(error.answer);
+  return answers;
+}
+
 bool leads_to_target(const Method& method, double step, const TargetError& target,
                      std::span<const Measurement> measured) {
-  return method.has_step && std::ranges::any_of(answers_of(method), [&](Answer answer) {
+  return method.has_step && std::ranges::any_of(answers_of(method, measured), [&](const ExactAnswer& answer) {
            return step_towards_target(method, answer, target, measured) == step;
          });
 }
@@ -73,7 +82,7 @@ bool leads_to_target(const Method& method, double step, const TargetError& targe
 /// Whether its next coarser or finer step is on a front.
 bool is_beside_front(const Method& method, double step, const TargetError& target,
                      std::span<const Measurement> measured) {
-  return std::ranges::any_of(answers_of(method), [&](Answer answer) {
+  return std::ranges::any_of(answers_of(method, measured), [&](const ExactAnswer& answer) {
     return std::ranges::any_of(pareto_front(measured, answer, *target.measure), [&](std::size_t i) {
       return measured[i].method == method.id && distance(measured[i].step, step) < 1;
     });
@@ -83,7 +92,8 @@ bool is_beside_front(const Method& method, double step, const TargetError& targe
 /// Whether for all its answers a measured point is as fast and much closer than can be expected of it.
 bool is_dominated(const PlannedPoint& planned, const TargetError& target,
                   std::span<const Measurement> measured) {
-  return std::ranges::all_of(answers_of(*planned.method), [&](Answer answer) {
+  const auto answers = answers_of(*planned.method, measured);
+  return !answers.empty() && std::ranges::all_of(answers, [&](const ExactAnswer& answer) {
     const auto error = expected_error(planned.method->id, planned.step, answer, *target.measure, measured);
     if (!error || !planned.expected_ms) return false;
     return std::ranges::any_of(points_against(measured, answer, *target.measure), [&](const AnswerPoint& p) {
@@ -121,7 +131,7 @@ std::optional<double> expected_frame_ms(std::string_view method, double step,
   return slowest;
 }
 
-std::optional<double> expected_error(std::string_view method, double step, Answer answer,
+std::optional<double> expected_error(std::string_view method, double step, const ExactAnswer& answer,
                                      const ErrorMeasure& measure, std::span<const Measurement> measured) {
   struct Point {
     double step, error;

@@ -34,7 +34,7 @@ std::optional<double> expected_frame_ms(std::string_view method, double step,
                                         std::span<const Measurement> measured);
 
 /// A method's error at a step, from the power law through its two nearest steps; nothing with fewer.
-std::optional<double> expected_error(std::string_view method, double step, Answer answer,
+std::optional<double> expected_error(std::string_view method, double step, const ExactAnswer& answer,
                                      const ErrorMeasure& measure, std::span<const Measurement> measured);
 
 }  // namespace crest

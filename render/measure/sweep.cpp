@@ -20,17 +20,23 @@ constexpr double long_frame_ms = 1000;
 constexpr double least_timed_ms = 100;
 constexpr int most_repeats = 5;
 
+bool is_of_own_field(const ExactAnswer& exact, const Rendering& own) {
+  return exact.filters == filters_of(exact.answer, own);
+}
+
 /// Answers in the order in which they are rendered: the scene's own first, since it is what a person looks
-/// at, then `integral`, with which all are compared.
-std::vector<Answer> order_of_answers(const std::vector<const Method*>& methods, const Rendering& own) {
-  std::vector<Answer> order;
-  const auto add = [&](const std::vector<Answer>& answers) {
-    for (const Answer answer : answers)
+/// at, then `integral`, with which all are compared;
+/// and last those of other fields.
+std::vector<ExactAnswer> order_of_answers(const std::vector<const Method*>& methods, const Rendering& own) {
+  std::vector<ExactAnswer> order;
+  const auto add = [&](const std::vector<ExactAnswer>& answers) {
+    for (const ExactAnswer& answer : answers)
       if (std::ranges::find(order, answer) == order.end()) order.push_back(answer);
   };
-  add(answers_of(own));
-  add({Answer::integral});
-  for (const Method* method : methods) add(answers_of(*method));
+  add(exact_answers_of(own));
+  add({{Answer::integral, filters_of(Answer::integral, own)}});
+  for (const Method* method : methods) add(exact_answers_of(*method, own));
+  std::ranges::stable_partition(order, [&](const ExactAnswer& a) { return is_of_own_field(a, own); });
   return order;
 }
 
@@ -74,17 +80,25 @@ Rendering Sweep::rendering_of(const PlannedPoint& point) const {
   return measured_rendering(*point.method, point.step, scene_.rendering);
 }
 
+std::vector<ExactAnswer> Sweep::answers_of(const Method& method) const {
+  return exact_answers_of(method, scene_.rendering);
+}
+
 /// All its answers are rendered or given up, and there is one.
 bool Sweep::is_ready(const Method& method) const {
   const auto answers = answers_of(method);
-  const auto is_there = [&](Answer a) { return references_.contains(a); };
-  const auto is_awaited = [&](Answer a) { return std::ranges::find(awaited_, a) != awaited_.end(); };
+  const auto is_there = [&](const ExactAnswer& a) { return references_.contains(a); };
+  const auto is_awaited = [&](const ExactAnswer& a) {
+    return std::ranges::find(awaited_, a) != awaited_.end();
+  };
   return std::ranges::any_of(answers, is_there) && std::ranges::none_of(answers, is_awaited);
 }
 
 /// The methods that can be measured are covered, and others wait for their answer.
 bool Sweep::needs_reference(const std::vector<PlannedPoint>& plan) const {
-  return !awaited_.empty() && (plan.empty() || plan.front().why != Why::coverage);
+  if (awaited_.empty()) return false;
+  const Why first_below = is_of_own_field(awaited_.front(), scene_.rendering) ? Why::target : Why::rest;
+  return plan.empty() || plan.front().why >= first_below;
 }
 
 std::optional<Sweep::Point> Sweep::next(std::stop_token stop, const SweepStatus& status) {
@@ -112,7 +126,7 @@ std::optional<Sweep::Point> Sweep::next(std::stop_token stop, const SweepStatus&
 }
 
 void Sweep::render_next_reference(std::stop_token stop, const SweepStatus& status) {
-  const Answer answer = awaited_.front();
+  const ExactAnswer answer = awaited_.front();
   const double begin = seconds(), allowed = reference_share * seconds_left();
   double expected = 0;
   const auto progress = [&](double done) {
@@ -198,7 +212,7 @@ Sweep::Point Sweep::look_at(const PlannedPoint& planned) {
   m.crossings_per_ray = picture.crossings_per_ray;
   m.crossings_left_out_per_ray = picture.crossings_left_out_per_ray;
   if (rendering.mode == Mode::dvr_only) picture.crossings.clear();
-  for (const Answer answer : answers_of(*planned.method))
+  for (const ExactAnswer& answer : answers_of(*planned.method))
     if (const auto exact = references_.find(answer); exact != references_.end())
       m.errors.push_back(
           {answer, image_error(exact->second, picture.image, picture.crossings, rendering.background)});

@@ -32,9 +32,9 @@ struct Measurer {
   struct Start {
     double first_frame_ms = 0, edit_ms = 0;  ///< see MethodStart
   };
-  std::function<Reference(Answer, const Progress&)> reference;  ///< throws Cancelled
-  std::function<Start(const Rendering&)> start;                 ///< may make the next frames slow
-  std::function<Picture(const Rendering&)> picture;             ///< and makes the next frames fast
+  std::function<Reference(const ExactAnswer&, const Progress&)> reference;  ///< throws Cancelled
+  std::function<Start(const Rendering&)> start;                             ///< may make the next frames slow
+  std::function<Picture(const Rendering&)> picture;  ///< and makes the next frames fast
   std::function<FrameTime(const Rendering&)> frame;
   std::function<double()> seconds;  ///< a clock that only goes forward
 };
@@ -55,7 +55,9 @@ using SweepStatus = std::function<void(std::string_view doing, double done)>;
 
 /// Measures a scene's methods, one point after the other, the most informative first (see plan_points).
 /// An exact answer is rendered when the methods of those before it are covered: first that of the scene's own
-/// mode, then `integral`, then the others. Plain values come out; cancellable between frames.
+/// mode, then `integral`, then the others of the scene's own field; those of other filters, which take
+/// longer, when nothing more informative is left to measure. Plain values come out; cancellable between
+/// frames.
 class Sweep {
  public:
   /// `scene` tells the TF, the own mode, and the settings that no method changes (measured_rendering).
@@ -73,7 +75,7 @@ class Sweep {
 
   const std::vector<Measurement>& measured() const { return measured_; }
   const std::vector<MethodStart>& starts() const { return starts_; }
-  const std::map<Answer, Reference>& references() const { return references_; }
+  const std::map<ExactAnswer, Reference>& references() const { return references_; }
   /// Methods and answers that were left out so far and, after the end, the points that the budget did not
   /// allow.
   const std::vector<LeftOut>& left_out() const { return left_out_; }
@@ -83,6 +85,7 @@ class Sweep {
  private:
   double seconds_left() const;
   Rendering rendering_of(const PlannedPoint& point) const;
+  std::vector<ExactAnswer> answers_of(const Method& method) const;
   bool is_ready(const Method& method) const;
   bool needs_reference(const std::vector<PlannedPoint>& plan) const;
   void render_next_reference(std::stop_token stop, const SweepStatus& status);
@@ -97,8 +100,8 @@ class Sweep {
   Measurer measurer_;
   SweepSettings settings_;
   std::vector<const Method*> methods_;  ///< that make sense in the scene and have an exact answer
-  std::vector<Answer> awaited_;         ///< answers not rendered yet, the next one first
-  std::map<Answer, Reference> references_;
+  std::vector<ExactAnswer> awaited_;    ///< answers not rendered yet, the next one first
+  std::map<ExactAnswer, Reference> references_;
   std::vector<Measurement> measured_;
   std::vector<MethodStart> starts_;
   std::vector<LeftOut> left_out_;

@@ -1,5 +1,9 @@
 #include "render/reference/answer.h"
 
+#include <fmt/format.h>
+
+#include "presets/names.h"
+
 namespace crest {
 
 std::string_view name_of(Answer answer) {
@@ -38,6 +42,30 @@ std::vector<Answer> answers_of(const Rendering& rendering) {
   }
   if (rendering.peak_form == PeakForm::split) return {Answer::base_and_crossings};
   return {Answer::integral_and_crossings, Answer::base_and_crossings};
+}
+
+std::string name_of(const ExactAnswer& exact) {
+  const std::string_view answer = name_of(exact.answer), dvr = name_of(exact.filters.dvr.kind),
+                         root = name_of(exact.filters.root.kind);
+  if (exact.filters == AnswerFilters{}) return std::string(answer);
+  return dvr == root ? fmt::format("{} ({})", answer, dvr) : fmt::format("{} ({}, {})", answer, dvr, root);
+}
+
+std::vector<ExactAnswer> exact_answers_of(const Rendering& rendering) {
+  std::vector<ExactAnswer> exact;
+  for (const Answer answer : answers_of(rendering)) exact.emplace_back(answer, filters_of(answer, rendering));
+  return exact;
+}
+
+Rendering with_filters(Rendering rendering, const AnswerFilters& filters) {
+  rendering.filter = filters.dvr.kind;
+  rendering.root_filter = filters.root.kind;
+  for (const FieldFilter& filter : {filters.dvr, filters.root})
+    if (filter.kind == Filter::bc) {
+      rendering.bc_b = filter.b;
+      rendering.bc_c = filter.c;
+    }
+  return rendering;
 }
 
 }  // namespace crest

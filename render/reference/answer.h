@@ -1,5 +1,7 @@
 #pragma once
 
+#include <compare>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,7 +25,7 @@ std::string_view name_of(Answer answer);
 /// surfaces lie. Where it shows one of both, that one; the texture unit's linear filter is the exact one.
 struct AnswerFilters {
   FieldFilter dvr, root;
-  bool operator==(const AnswerFilters&) const = default;
+  auto operator<=>(const AnswerFilters&) const = default;
 };
 AnswerFilters filters_of(Answer answer, const Rendering& rendering);
 
@@ -31,5 +33,23 @@ AnswerFilters filters_of(Answer answer, const Rendering& rendering);
 /// third, PEAK_XOR_DVR in the split form the fourth, and in the paper's form the last two. The first of the
 /// list is the one that `--engine reference` renders.
 std::vector<Answer> answers_of(const Rendering& rendering);
+
+/// An exact answer, of the fields that these filters make: what errors are measured against.
+struct ExactAnswer {
+  ExactAnswer(Answer a, const AnswerFilters& f = {}) : answer(a), filters(f) {}  // the texture unit's field
+  Answer answer;
+  AnswerFilters filters;
+  auto operator<=>(const ExactAnswer&) const = default;
+};
+
+/// "integral"; "integral (bspline)" where the field is not the trilinear one; "base+crossings (linear,
+/// bspline)" where DVR has one field and surfaces another.
+std::string name_of(const ExactAnswer& exact);
+
+/// answers_of(), with the setting's own filters.
+std::vector<ExactAnswer> exact_answers_of(const Rendering& rendering);
+
+/// The setting with the filters of an exact answer.
+Rendering with_filters(Rendering rendering, const AnswerFilters& filters);
 
 }  // namespace crest

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 
 #include "presets/preset.h"
 
@@ -10,7 +11,7 @@ namespace crest {
 struct FieldFilter {
   Filter kind = Filter::linear;
   double b = 0, c = 0;  ///< of Filter::bc; else 0, so that equal filters compare equal
-  bool operator==(const FieldFilter&) const = default;
+  auto operator<=>(const FieldFilter&) const = default;
 };
 
 /// That of DVR samples.

@@ -28,7 +28,7 @@ struct FakeRenderer {
               ++sweeps;
               Measurer m;
               m.seconds = [] { return 0.0; };
-              m.reference = [this, size = subject.size](Answer, const Progress& progress) {
+              m.reference = [this, size = subject.size](const ExactAnswer&, const Progress& progress) {
                 ++references;
                 do {
                   if (!progress(0.5)) throw Cancelled{};

@@ -6,7 +6,7 @@ namespace crest::testing {
 
 /// A point with the same error in all measures of pixels.
 inline Measurement measurement(std::string method, double step, double ms, double error,
-                               Answer answer = Answer::integral) {
+                               const ExactAnswer& answer = Answer::integral) {
   Measurement m;
   m.method = std::move(method);
   m.step = step;

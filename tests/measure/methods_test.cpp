@@ -46,7 +46,7 @@ TEST(Methods, ThereIsOneForEveryModeFormAndPlacement) {
     const Rendering rendering = measured_rendering(method, 1, {});
     forms.insert({rendering.mode, rendering.mode == Mode::dvr_only ? PeakForm::split : rendering.peak_form});
     placements.insert(rendering.placement);
-    for (const Answer answer : answers_of(method)) answers.insert(answer);
+    for (const ExactAnswer& exact : exact_answers_of(method)) answers.insert(exact.answer);
   }
   EXPECT_EQ(forms.size(), 7u);
   EXPECT_EQ(placements.size(), names_of<Placement>().size());
@@ -76,19 +76,41 @@ TEST(Methods, AreMeasuredWithoutShadingAndEarlyTermination) {
   EXPECT_EQ(chosen.early_termination, 0.01);
 }
 
-// The filters are the scene's, each with an exact answer of its own; a method that sets one of another field
-// has none there.
-TEST(Methods, AreOfTheScenesOwnField) {
+// The filters that a method does not set are the scene's; each field has exact answers of its own.
+TEST(Methods, HaveTheExactAnswersOfTheirField) {
+  Rendering scene;
+  const auto names = [&](const char* id) {
+    std::vector<std::string> list;
+    for (const ExactAnswer& exact : exact_answers_of(*find_method(id), scene)) list.push_back(name_of(exact));
+    return list;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names("dvr"), Names{"integral"});
+  EXPECT_EQ(names("dvr-linear-exact"), Names{"integral"}) << "which is the field that linear stands for";
+  EXPECT_EQ(names("dvr-bspline"), Names{"integral (bspline)"});
+  EXPECT_EQ(names("xor-bc"), Names{"base+crossings (bc)"});
+  EXPECT_EQ(names("xor-root-bspline"), Names{"base+crossings (linear, bspline)"});
+  scene.filter = Filter::bspline;
+  EXPECT_EQ(names("dvr"), Names{"integral (bspline)"});
+  EXPECT_EQ(names("xor-paper"), (Names{"integral+crossings (bspline)", "base+crossings (bspline)"}));
+  EXPECT_EQ(names("dvr-linear-exact"), Names{"integral"});
+  scene.root_filter = Filter::linear;
+  EXPECT_EQ(names("peaks"), Names{"crossings"});
+  EXPECT_EQ(names("xor"), Names{"base+crossings (bspline, linear)"});
+}
+
+TEST(Methods, AreLeftOutWhereTheScenesFiltersMakeThemAnother) {
   Scene scene = scene_with_peak(0.5);
+  EXPECT_EQ(why_left_out(*find_method("dvr-bspline"), scene), "");
   scene.rendering.filter = Filter::bspline;
-  EXPECT_EQ(measured_rendering(*find_method("xor"), 1, scene.rendering).filter, Filter::bspline);
-  EXPECT_NE(why_left_out(*find_method("dvr-linear-exact"), scene), "");
-  EXPECT_EQ(why_left_out(*find_method("xor"), scene), "");
-  scene.rendering.filter = Filter::linear;
+  EXPECT_NE(why_left_out(*find_method("dvr-bspline"), scene), "");
+  EXPECT_NE(why_left_out(*find_method("xor-bspline"), scene), "");
+  EXPECT_EQ(why_left_out(*find_method("dvr"), scene), "");
   EXPECT_EQ(why_left_out(*find_method("dvr-linear-exact"), scene), "");
+  scene.rendering.filter = Filter::linear;
   scene.rendering.root_filter = Filter::bspline;
-  EXPECT_EQ(why_left_out(*find_method("dvr-linear-exact"), scene), "") << "no surface shows";
-  EXPECT_NE(why_left_out(*find_method("xor-linear-exact"), scene), "");
+  EXPECT_NE(why_left_out(*find_method("xor-root-bspline"), scene), "");
+  EXPECT_EQ(why_left_out(*find_method("xor-bspline"), scene), "");
 }
 
 TEST(Methods, PeaksNeedASurfaceInTheVolume) {

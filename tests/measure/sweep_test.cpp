@@ -20,7 +20,7 @@ struct FakeRenderer {
   double ms_at_1 = 10, reference_seconds = 1, drift = 1e-3;
   double now = 0;
   int frames = 0, starts = 0;
-  std::vector<Answer> references;
+  std::vector<ExactAnswer> references;
   std::vector<double> frame_steps;
 
   static double step_of(const Rendering& r) {
@@ -33,7 +33,7 @@ struct FakeRenderer {
   Measurer measurer() {
     Measurer m;
     m.seconds = [this] { return now; };
-    m.reference = [this](Answer answer, const Progress& progress) {
+    m.reference = [this](const ExactAnswer& answer, const Progress& progress) {
       references.push_back(answer);
       for (int part = 1; part <= 100; ++part) {
         now += 0.01 * reference_seconds;
@@ -71,6 +71,16 @@ std::size_t count_of_dvr_methods() {
       std::ranges::count_if(methods(), [](const Method& m) { return m.id.starts_with("dvr"); }));
 }
 
+/// Of all methods, in a scene with the default filters.
+std::set<ExactAnswer> all_answers() {
+  std::set<ExactAnswer> answers;
+  for (const Method& method : methods())
+    for (const ExactAnswer& exact : exact_answers_of(method)) answers.insert(exact);
+  return answers;
+}
+
+bool is_trilinear(const ExactAnswer& exact) { return exact.filters == AnswerFilters{}; }
+
 std::vector<Measurement> run(Sweep& sweep) {
   std::vector<Measurement> points;
   while (auto point = sweep.next()) {
@@ -88,7 +98,7 @@ TEST(Sweep, WithoutABudgetMeasuresEveryPointOnce) {
   std::set<std::pair<std::string, double>> distinct;
   for (const Measurement& m : points) {
     distinct.insert({m.method, m.step});
-    EXPECT_EQ(m.errors.size(), answers_of(*find_method(m.method)).size());
+    EXPECT_EQ(m.errors.size(), exact_answers_of(*find_method(m.method)).size());
     EXPECT_NEAR(m.errors[0].error.compared.rmse, 0.01 * m.step * m.step, 1e-7);
     EXPECT_DOUBLE_EQ(m.samples_per_ray, 100 / m.step);
     EXPECT_NEAR(m.device_ms, 0.9 * m.frame_ms, 1e-9);
@@ -99,7 +109,7 @@ TEST(Sweep, WithoutABudgetMeasuresEveryPointOnce) {
   EXPECT_EQ(distinct.size(), points.size());
   EXPECT_EQ(sweep.measured().size(), points.size());
   EXPECT_TRUE(sweep.left_out().empty());
-  EXPECT_EQ(sweep.references().size(), 4u);
+  EXPECT_EQ(sweep.references().size(), all_answers().size());
 }
 
 TEST(Sweep, BeginsWithTheScenesOwnModeThenIntegral) {
@@ -111,10 +121,23 @@ TEST(Sweep, BeginsWithTheScenesOwnModeThenIntegral) {
   ASSERT_TRUE(first);
   EXPECT_EQ(first->measurement.method, "peaks");
   EXPECT_EQ(first->measurement.step, 4);
-  EXPECT_EQ(renderer.references, std::vector{Answer::crossings});  // the others come later
+  EXPECT_EQ(renderer.references, std::vector{ExactAnswer(Answer::crossings)});  // the others come later
   run(sweep);
-  EXPECT_EQ(renderer.references.size(), 4u);
+  ASSERT_EQ(renderer.references.size(), all_answers().size());
   EXPECT_EQ(renderer.references[1], Answer::integral);
+  EXPECT_EQ(std::ranges::count_if(renderer.references, is_trilinear), 4);
+  EXPECT_TRUE(std::ranges::is_partitioned(renderer.references, is_trilinear)) << "other filters come last";
+}
+
+TEST(Sweep, ComesToOtherFiltersWhenLittleIsLeftToLearn) {
+  FakeRenderer renderer;
+  Sweep sweep(testing::scene_with_peak(0.5), renderer.measurer());
+  const auto points = run(sweep);
+  const auto is_trilinear_point = [](const Measurement& m) { return is_trilinear(m.errors[0].answer); };
+  const auto first_other = std::ranges::find_if_not(points, is_trilinear_point);
+  ASSERT_NE(first_other, points.end());
+  for (auto m = first_other; m != points.end(); ++m)
+    if (is_trilinear_point(*m)) EXPECT_GE(m->why, Why::front) << m->method << m->step;
 }
 
 TEST(Sweep, TimesAGroupTurnByTurnWithTheAnchor) {
@@ -160,8 +183,8 @@ TEST(Sweep, GivesUpAnExactAnswerThatWouldTakeMostOfTheBudget) {
   Sweep sweep(testing::scene_with_peak(0.5), renderer.measurer(), {.budget_seconds = 60});
   EXPECT_TRUE(run(sweep).empty());
   EXPECT_LT(renderer.now, 10);  // its time was foretold early
-  // Four answers, and all methods, which have none
-  EXPECT_EQ(sweep.left_out().size(), 4 + methods().size());
+  // All answers, and all methods, which have none
+  EXPECT_EQ(sweep.left_out().size(), all_answers().size() + methods().size());
   EXPECT_NE(sweep.left_out()[0].why.find("it would take 100 s"), std::string::npos)
       << sweep.left_out()[0].why;
 }
@@ -207,7 +230,7 @@ TEST(Sweep, LeavesOutMethodsThatMakeNoSense) {
   scene.rendering.mode = Mode::dvr_only;
   Sweep sweep(scene, renderer.measurer());
   for (const Measurement& m : run(sweep)) EXPECT_TRUE(m.method.starts_with("dvr")) << m.method;
-  EXPECT_EQ(renderer.references, std::vector{Answer::integral});
+  for (const ExactAnswer& exact : renderer.references) EXPECT_EQ(exact.answer, Answer::integral);
   EXPECT_EQ(sweep.left_out().size(), methods().size() - count_of_dvr_methods());
 }
 

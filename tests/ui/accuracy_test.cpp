@@ -24,7 +24,8 @@ class Accuracy : public Studio {
     click("tab/Accuracy");
   }
 
-  void add(const char* method, double step, double ms, double error, Answer answer = Answer::integral) {
+  void add(const char* method, double step, double ms, double error,
+           const ExactAnswer& answer = Answer::integral) {
     results.measured.push_back(crest::testing::measurement(method, step, ms, error, answer));
   }
   ImVec2 place(const std::string& point) const { return center_of("measured/" + point); }
@@ -59,6 +60,21 @@ TEST_F(Accuracy, AnswersAreChosen) {
   click("answer/base+crossings");
   EXPECT_FALSE(has("measured/peaks/1"));
   EXPECT_FALSE(has("method/peaks"));
+}
+
+TEST_F(Accuracy, OtherFiltersHaveAnswersOfTheirOwn) {
+  const Rendering before = rendering();
+  add("dvr-bspline", 1, 30, 0.001, exact_answers_of(*find_method("dvr-bspline")).front());
+  frames(2);
+  EXPECT_FALSE(has("measured/dvr-bspline/1"));
+  click("answer/integral (bspline)");
+  EXPECT_TRUE(has("measured/dvr-bspline/1"));
+  click(place("dvr-bspline/1"));
+  EXPECT_EQ(rendering().filter, Filter::bspline);
+  // What was measured is of the scene's own filter: that comes back with its methods
+  click("answer/integral");
+  click(place("dvr/1"));
+  EXPECT_EQ(rendering().filter, before.filter);
 }
 
 TEST_F(Accuracy, AClickTakesTheSettingAndOneUndoTakesItBack) {
