@@ -10,38 +10,12 @@
 #include <random>
 
 #include "app/offscreen_context.h"
-#include "render/camera.h"
-#include "render/measure/timing.h"
-#include "render/raycaster/raycaster.h"
-#include "tests/benchmark/feature_cases.h"
+#include "tests/benchmark/contestant.h"
 
 namespace crest::bench {
 namespace {
 
 constexpr glm::ivec2 size{128, 128};
-
-/// A frame with a ray caster of its own, so that it keeps its textures and tables.
-class Contestant {
- public:
-  explicit Contestant(const Frame& frame)
-      : scene_(frame.scene), camera_(whole_volume_camera(scene_.volume->grid)), target_(size, frame.counts) {
-    raycaster_.force(frame.forced);
-    draw_ms();  // uploads and compiles
-  }
-  double draw_ms() {
-    return finished_ms([&] { raycaster_.draw(scene_, camera_, target_); });
-  }
-  double samples() {
-    gl::RenderTarget counted(size, true);
-    return raycaster_.draw_counted(scene_, camera_, counted).samples;
-  }
-
- private:
-  Scene scene_;
-  Camera camera_;
-  gl::RenderTarget target_;
-  Raycaster raycaster_;
-};
 
 /// The other features that come with it, or go.
 std::string features_that_differ(const FeatureCase& c) {
@@ -60,10 +34,10 @@ std::string features_that_differ(const FeatureCase& c) {
 /// Each round in another order, so that none always finds the caches as the same other one left them.
 void compete(benchmark::State& state, const FeatureCase& c) {
   std::map<std::string, Contestant> contestants;
-  contestants.try_emplace("left_out", c.left_out);
-  contestants.try_emplace("again", c.left_out);
-  contestants.try_emplace("needed", c.needed);
-  if (c.forced_in) contestants.try_emplace("forced_in", *c.forced_in);
+  contestants.try_emplace("left_out", c.left_out, size);
+  contestants.try_emplace("again", c.left_out, size);
+  contestants.try_emplace("needed", c.needed, size);
+  if (c.forced_in) contestants.try_emplace("forced_in", *c.forced_in, size);
   std::vector<std::string> order;
   for (const auto& [name, contestant] : contestants) order.push_back(name);
 

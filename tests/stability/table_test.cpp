@@ -1,7 +1,5 @@
 #include "render/stability/table.h"
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,11 +13,13 @@
 #include "presets/error.h"
 #include "render/reference/reference.h"
 #include "render/stability/cases.h"
+#include "tests/changed_shaders.h"
 
 namespace crest::stability {
 namespace {
 
 namespace fs = std::filesystem;
+using crest::testing::ChangedShaders;
 
 std::vector<Row> one_row(Lab&) {
   Row row;
@@ -98,36 +98,19 @@ TEST_F(StabilityTable, NoCaseStandsInItTwice) {
   EXPECT_GE(names.size(), 40U);
 }
 
-/// The program's shaders with one line made wrong.
-class Fault {
- public:
-  Fault(const std::string& file, const std::string& right, const std::string& wrong) {
-    const fs::path source = fs::path(CREST_SOURCE_DIR) / "render/shaders";
-    fs::copy(source, folder_);
-    std::string text = read_file(source / file, 1 << 20);
-    const std::size_t at = text.find(right);
-    EXPECT_NE(at, text.npos) << right;
-    std::ofstream(folder_ / file) << text.replace(at, right.size(), wrong);
-  }
-  ~Fault() { fs::remove_all(folder_); }
-  const fs::path& shaders() const { return folder_; }
-
- private:
-  fs::path folder_ = fs::path(testing::TempDir()) / ("crest-faulty-shaders-" + std::to_string(::getpid()));
-};
-
 TEST_F(StabilityTable, NothingOrNoNumberDrawnFails) {
   ASSERT_EQ(failures(faint_and_opaque_haze), 0);
   ASSERT_EQ(failures(touching_extrema), 0);
   const std::string right = "out_color = collected;";
-  EXPECT_GT(
-      failures(faint_and_opaque_haze, Fault("raycaster.frag", right, "out_color = vec4(0.0);").shaders()), 0);
+  EXPECT_GT(failures(faint_and_opaque_haze,
+                     ChangedShaders("raycaster.frag", right, "out_color = vec4(0.0);").folder()),
+            0);
   const std::string nan =
       "out_color = gl_FragCoord.x < 1.0 && gl_FragCoord.y < 1.0 ? vec4(uintBitsToFloat(0x7fc00000u)) : "
       "collected;";
-  const Fault one_pixel("raycaster.frag", right, nan);
-  EXPECT_GT(failures(faint_and_opaque_haze, one_pixel.shaders()), 0);
-  EXPECT_GT(failures(touching_extrema, one_pixel.shaders()), 0);
+  const ChangedShaders one_pixel("raycaster.frag", right, nan);
+  EXPECT_GT(failures(faint_and_opaque_haze, one_pixel.folder()), 0);
+  EXPECT_GT(failures(touching_extrema, one_pixel.folder()), 0);
 }
 
 TEST_F(StabilityTable, FaultsThatRenderersHaveAreNoticed) {
@@ -148,7 +131,7 @@ TEST_F(StabilityTable, FaultsThatRenderersHaveAreNoticed) {
   for (const auto& fault : faults) {
     SCOPED_TRACE(fault.wrong);
     ASSERT_EQ(failures(fault.rows), 0);
-    EXPECT_GT(failures(fault.rows, Fault(fault.file, fault.right, fault.wrong).shaders()), 0);
+    EXPECT_GT(failures(fault.rows, ChangedShaders(fault.file, fault.right, fault.wrong).folder()), 0);
   }
 }
 

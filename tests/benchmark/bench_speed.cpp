@@ -1,0 +1,179 @@
+// What speed is worth: frames that are drawn turn by turn in one run, as ratios of their times, beside the
+// ratio that is aimed at. `ratio` is the median over all rounds; `again` that of the frame compared with to
+// itself, which is what the run varies by. With CREST_DATA set to a folder of real volumes, aneurism is among
+// them.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <random>
+
+#include "app/offscreen_context.h"
+#include "presets/error.h"
+#include "presets/preset_file.h"
+#include "render/volume/builtin.h"
+#include "render/volume/load.h"
+#include "tests/benchmark/contestant.h"
+#include "tests/changed_shaders.h"
+
+namespace crest::bench {
+namespace {
+
+constexpr glm::ivec2 size{256, 256};
+
+/// A frame, and what its time is compared with.
+struct Race {
+  std::string name;
+  Frame frame, other;
+  double aim;  ///< the ratio is at most this
+  std::filesystem::path other_shaders = {};
+};
+
+Frame frame_of(const char* volume, const char* preset, Mode mode, Shading shading = Shading::none) {
+  Scene scene = make_scene(std::make_shared<const Volume>(make_builtin(volume)), load_preset(preset));
+  scene.rendering.mode = mode;
+  scene.rendering.shading = shading;
+  return {scene};
+}
+
+/// The same with a setting changed.
+template <class Value>
+Frame with(Frame frame, Value Rendering::*setting, const std::type_identity_t<Value>& value) {
+  frame.scene.rendering.*setting = value;
+  return frame;
+}
+
+Race xor_race(const std::string& name, const char* volume, const char* preset, double aim,
+              Shading shading = Shading::none) {
+  return {"PEAK_XOR_DVR to DVR_ONLY, " + name, frame_of(volume, preset, Mode::peak_xor_dvr, shading),
+          frame_of(volume, preset, Mode::dvr_only, shading), aim};
+}
+
+Race skipping_race(const std::string& name, const Frame& frame) {
+  return {"with skipping to without, " + name, frame, with(frame, &Rendering::skipping, false), 0.2};
+}
+
+/// A loop over the samples of DVR that only reads the volume: what the machine can do.
+testing::ChangedShaders fetch_loop() {
+  return {"raycaster.frag",
+          "    vec4 material = classify(dvr_field(at(ray, t)));\n"
+          "    COUNT_DVR_SAMPLE;\n"
+          "    composite(material.rgb * DVR_LIGHT(t), opacity_of(material.a * size_at(s, i)));\n",
+          "    collected += vec4(dvr_field(at(ray, t)));\n"};
+}
+
+std::optional<Frame> real_vessels() {
+  const char* folder = std::getenv("CREST_DATA");
+  if (!folder) return std::nullopt;
+  try {
+    auto volume = std::make_shared<const Volume>(load_volume(std::string(folder) + "/aneurism.nrrd"));
+    return Frame{make_scene(std::move(volume), load_preset("vessels-shell"))};
+  } catch (const Error& error) {
+    std::fprintf(stderr, "bench_speed: aneurism is left out: %s\n", error.what());
+    return std::nullopt;
+  }
+}
+
+std::vector<Race> races(const std::filesystem::path& fetch_loop) {
+  const char* spike = "builtin:plume?n=96";
+  const Frame haze =
+      with(frame_of("builtin:noise?n=96", "smooth-haze", Mode::dvr_only), &Rendering::skipping, false);
+  Frame forced = frame_of("builtin:noise?n=96", "smooth-haze", Mode::dvr_only);
+  forced.forced.features.skipping = true;
+  std::vector<Race> list{
+      xor_race("a spike", spike, "dirac-shell", 1.1),
+      xor_race("a spike, shaded", spike, "dirac-shell", 1.1, Shading::gradient),
+      xor_race("eight shells", "builtin:sphere?n=96", "onion", 1.5),
+      xor_race("noise", "builtin:noise?n=96", "noisy-band", 1.5),
+      xor_race("gyroid, four peaks", "builtin:gyroid?n=96", "four-peaks", 1.5),
+      xor_race("marschner-lobb, four peaks", "builtin:marschner-lobb?n=96", "four-peaks", 1.5),
+      {"DVR to a loop that only reads the volume", haze, haze, 2, fetch_loop},
+      {"skipping forced in where all shows", forced, haze, 1.1},
+      skipping_race("vessels", frame_of("builtin:vessels?n=128", "vessels-shell", Mode::peak_xor_dvr)),
+      skipping_race("vessels, shaded", frame_of("builtin:vessels?n=128", "vessels-shell", Mode::peak_xor_dvr,
+                                                Shading::gradient)),
+  };
+  if (const auto real = real_vessels()) list.push_back(skipping_race("aneurism", *real));
+  return list;
+}
+
+/// Each round in another order, so that none always finds the caches as the same other one left them.
+void compete(benchmark::State& state, const Race& race) {
+  Contestant contestants[] = {
+      {race.frame, size}, {race.other, size, race.other_shaders}, {race.other, size, race.other_shaders}};
+  std::vector<std::size_t> order{0, 1, 2};
+  std::mt19937 random;
+  std::vector<double> ratios, again;
+  for (auto _ : state) {
+    std::ranges::shuffle(order, random);
+    double ms[3];
+    for (const std::size_t i : order) ms[i] = contestants[i].draw_ms();
+    ratios.push_back(ms[0] / ms[1]);
+    again.push_back(ms[2] / ms[1]);
+    state.SetIterationTime(1e-3 * ms[0]);
+  }
+  state.counters["ratio"] = median(ratios);
+  state.counters["aim"] = race.aim;
+  state.counters["again"] = median(again);
+}
+
+/// An edit of a TF of 64 points over a volume of 64^3 macrocells: peaks, their table, the TF's, occupancy.
+void edit(benchmark::State& state) {
+  Frame frame = frame_of("builtin:sphere?n=256", "onion", Mode::peak_xor_dvr);
+  auto& points = frame.scene.tf.points;
+  const double low = points.front().value, high = points.back().value;
+  points.clear();
+  for (int i = 0; i < 64; ++i) {
+    ControlPoint point;
+    point.value = low + (high - low) * i / 63;
+    point.opacity = i % 4 == 0 ? 0.9 : 0.02;
+    points.push_back(point);
+  }
+  frame.scene.rendering.skipping = true;
+  Contestant contestant(frame, size);
+  std::vector<double> all;
+  for (auto _ : state) {
+    const double opacity = all.size() % 2 == 0 ? 0.8 : 0.9;
+    all.push_back(contestant.edit_ms([&](TransferFunction& tf) { tf.points[32].opacity = opacity; }));
+    state.SetIterationTime(1e-3 * std::max(all.back(), 1e-3));
+  }
+  state.counters["ms"] = median(all);
+  state.counters["aim"] = 2;
+}
+
+int run(int argc, char** argv) {
+  std::vector<char*> arguments(argv, argv + argc);
+  char tabular[] = "--benchmark_counters_tabular=true";
+  arguments.insert(arguments.begin() + 1, tabular);
+  int count = int(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 1;
+
+  const OffscreenContext context;
+  const testing::ChangedShaders fetching = fetch_loop();
+  const std::vector<Race> list = races(fetching.folder());
+  benchmark::AddCustomContext("renderer", context.renderer());
+  const auto add = [](const std::string& name, auto work) {
+    benchmark::RegisterBenchmark(name.c_str(), work)->UseManualTime()->Unit(benchmark::kMillisecond);
+  };
+  for (const Race& race : list) add(race.name, [&race](benchmark::State& state) { compete(state, race); });
+  add("an edit of 64 points", edit);
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::ClearRegisteredBenchmarks();
+  return 0;
+}
+
+}  // namespace
+}  // namespace crest::bench
+
+int main(int argc, char** argv) {
+  try {
+    return crest::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_speed: %s\n", error.what());
+    return 1;
+  }
+}
