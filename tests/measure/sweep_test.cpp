@@ -137,7 +137,9 @@ TEST(Sweep, ComesToOtherFiltersWhenLittleIsLeftToLearn) {
   const auto first_other = std::ranges::find_if_not(points, is_trilinear_point);
   ASSERT_NE(first_other, points.end());
   for (auto m = first_other; m != points.end(); ++m)
-    if (is_trilinear_point(*m)) EXPECT_GE(m->why, Why::front) << m->method << m->step;
+    if (is_trilinear_point(*m)) {
+      EXPECT_GE(m->why, Why::front) << m->method << m->step;
+    }
 }
 
 TEST(Sweep, TimesAGroupTurnByTurnWithTheAnchor) {
