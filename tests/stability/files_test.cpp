@@ -55,7 +55,8 @@ TEST(StabilityFiles, NoLimitAndNoNumber) {
 }
 
 TEST(StabilityFiles, TheFolderHasTheTableAndAPageThatStandsAlone) {
-  const fs::path folder = fs::path(testing::TempDir()) / ("crest-stability-files-" + std::to_string(::getpid()));
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("crest-stability-files-" + std::to_string(::getpid()));
   fs::create_directory(folder);
   Row empty = a_row();
   empty.picture = {};
