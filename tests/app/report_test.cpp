@@ -45,7 +45,7 @@ TEST_F(ReportTest, OfASmallScene) {
       ++rows;
     }
   std::size_t pairs = 0;  // the paper's PEAK_XOR_DVR has two answers
-  for (const Method& method : methods()) pairs += answers_of(method).size();
+  for (const Method& method : methods()) pairs += exact_answers_of(method).size();
   EXPECT_EQ(rmse.size(), pairs);
   for (const auto& [key, errors] : rmse)
     EXPECT_LT(errors.begin()->second, 0.5 * errors.rbegin()->second)
