@@ -9,7 +9,7 @@
 
 #include "presets/atomic_file.h"
 
-namespace crest::testing {
+namespace crest {
 
 /// A folder of the program's shaders in which one piece of text, that must be there, is another.
 class ChangedShaders {
@@ -39,4 +39,4 @@ class ChangedShaders {
   std::filesystem::path folder_ = new_folder();
 };
 
-}  // namespace crest::testing
+}  // namespace crest

@@ -25,8 +25,7 @@ bool is_of_own_field(const ExactAnswer& exact, const Rendering& own) {
 }
 
 /// Answers in the order in which they are rendered: the scene's own first, since it is what a person looks
-/// at, then `integral`, with which all are compared;
-/// and last those of other fields.
+/// at, then `integral`, with which all are compared; and last those of other fields.
 std::vector<ExactAnswer> order_of_answers(const std::vector<const Method*>& methods, const Rendering& own) {
   std::vector<ExactAnswer> order;
   const auto add = [&](const std::vector<ExactAnswer>& answers) {
@@ -127,6 +126,13 @@ std::optional<Sweep::Point> Sweep::next(std::stop_token stop, const SweepStatus&
 
 void Sweep::render_next_reference(std::stop_token stop, const SweepStatus& status) {
   const ExactAnswer answer = awaited_.front();
+  if (!is_of_own_field(answer, scene_.rendering) && references_.empty()) {
+    for (const ExactAnswer& a : awaited_)
+      left_out_.push_back(
+          {fmt::format("exact answer '{}'", name_of(a)), "those of the scene's own field took too long"});
+    awaited_.clear();
+    return;
+  }
   const double begin = seconds(), allowed = reference_share * seconds_left();
   double expected = 0;
   const auto progress = [&](double done) {

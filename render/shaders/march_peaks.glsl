@@ -49,8 +49,14 @@ void march(Ray ray, Sampling s, int first, int last) {
 #if DVR && SPLIT
   float cut = first > 0 ? t : boundary_at(s, 0);  // where the piece of the sample `cut_sample` begins
   int cut_sample = first - 1;
-  vec4 material = first > 0 ? material_at(ray, t, f1) : vec4(0.0);
-  float piece = first > 0 ? boundary_at(s, first) - t : 0.0;  // a run before this one ended at the sample
+  vec4 material = vec4(0.0);
+  float piece = 0.0;
+#if LONG_RAYS
+  if (first > 0) {  // the pass before this one ended at the sample
+    material = material_at(ray, t, f1);
+    piece = boundary_at(s, first) - t;
+  }
+#endif
 #endif
 
   int i = first;
@@ -97,8 +103,8 @@ void march(Ray ray, Sampling s, int first, int last) {
       if (TERMINATED) i = last;
     }
   }
-#if DVR && SPLIT && RUNS
-  // A run that ends before the ray does ends at a sample; the next one begins there
+#if DVR && SPLIT && LONG_RAYS
+  // A pass that ends before the ray does ends at a sample; the next one begins there
   if (last <= s.n && !TERMINATED) {
     float begin = cut_sample == last - 1 ? cut : boundary_at(s, last - 1);
     composite(material.rgb, opacity_of(material.a * (middle_at(s, last - 1) - begin)));

@@ -1,9 +1,6 @@
 // The single-pass ray caster: post-classification or pre-integration, peak finding (Knoll et al. 2009, appendix).
 // DVR, PEAKS, SPLIT, ... are 0 or 1, from what the scene needs (raycaster/features.h).
 
-// Whether a march may begin or end within a ray.
-#define RUNS (LONG_RAYS || SKIPPING)
-
 #include "ray.glsl"
 #include "statistics.glsl"
 #include "field.glsl"
@@ -92,32 +89,56 @@ void march_span(Ray ray, Span span, inout int index) {
   }
 }
 #elif SKIPPING
-// The intervals that a stretch of macrocells meets, so that with skipping and without it the same samples are taken.
-bool next_run(inout Walk walk, inout bool more, Sampling s, out ivec2 run) {
-  Span stretch;
-  uint multiple;
-  bool found = next_stretch(walk, more, stretch, multiple);
-  run.x = max(int(floor(index_at(s, stretch.enter - slack))), 0);
-  run.y = min(int(floor(index_at(s, stretch.exit + slack))) + 1 + INTERVALS_BEYOND_SEGMENTS, interval_total(s));
-  return found;
+// To take up a march costs some samples: over a gap of fewer it goes on.
+const int least_gap = 8;
+
+// A sample in a cell where nothing shows has no opacity, so a run begins with the first interval that reaches into an
+// occupied cell. Where the segments vary, a sample is only nearly in the middle of its own: there it begins one early.
+#if PREINTEGRATED || VARYING_STEPS
+const float to_sample = 0.0;
+const int intervals_beyond_run = 1 + INTERVALS_BEYOND_SEGMENTS;
+#else
+const float to_sample = 0.5;
+const int intervals_beyond_run = INTERVALS_BEYOND_SEGMENTS;
+#endif
+
+// Whether so much lies between two places of a ray that a new run begins.
+bool is_gap(Sampling s, float exit, float enter) {
+#if VARYING_STEPS
+  return index_at(s, enter - slack) >= index_at(s, exit + slack) + float(least_gap);
+#else
+  return enter >= exit + (float(least_gap) * s.dt + 2.0 * slack);
+#endif
 }
 
-// To take up a march costs as many samples: over a gap of less it goes on.
-const int least_gap = 4;
+// The intervals of the next run, not before `done`, so that with skipping and without it the same samples are taken.
+// One loop, with little in it: on SIMD hardware all lanes walk until the last one has found its run.
+ivec2 next_run(inout Walk walk, inout bool more, Sampling s, int done) {
+  const float none = 3.0e38;
+  float enter = none, exit = none;
+  while (more && (exit == none || !is_gap(s, exit, walk.t))) {
+    float t = walk.t;
+    bool occupied = multiple_at(walk) != 0u;
+    more = advance(walk);
+    if (occupied) {
+      enter = min(enter, t);
+      exit = min(walk.t, walk.end);
+    }
+  }
+  if (exit == none) return ivec2(done);
+  int first = int(floor(index_at(s, enter - slack) + to_sample));
+  int last = int(floor(index_at(s, exit + slack) + to_sample)) + intervals_beyond_run;
+  return ivec2(max(first, done), min(last, interval_total(s)));
+}
 
 void march_span(Ray ray, Span span, inout int index) {
   Sampling s = sample_span(ray, span);
   Walk walk = begin_macrocells(ray, span);
-  bool more = true, found = true;
-  ivec2 run = ivec2(0), next;
-  while (found && !TERMINATED) {
-    found = next_run(walk, more, s, next);
-    if (found && next.x < run.y + least_gap) {
-      run.y = max(run.y, next.y);
-      continue;
-    }
+  bool more = true;
+  ivec2 run = ivec2(0);
+  while (more && !TERMINATED) {
+    run = next_run(walk, more, s, run.y);
     march_part(ray, s, run.x, run.y, index);
-    run = next;
   }
   index += interval_total(s);
 }

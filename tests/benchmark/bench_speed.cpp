@@ -57,7 +57,7 @@ Race skipping_race(const std::string& name, const Frame& frame) {
 }
 
 /// A loop over the samples of DVR that only reads the volume: what the machine can do.
-testing::ChangedShaders fetch_loop() {
+ChangedShaders fetch_loop() {
   return {"raycaster.frag",
           "    vec4 material = classify(dvr_field(at(ray, t)));\n"
           "    COUNT_DVR_SAMPLE;\n"
@@ -78,22 +78,22 @@ std::optional<Frame> real_vessels() {
 }
 
 std::vector<Race> races(const std::filesystem::path& fetch_loop) {
-  const char* spike = "builtin:plume?n=96";
+  const char* spike = "plume?n=96";
   const Frame haze =
-      with(frame_of("builtin:noise?n=96", "smooth-haze", Mode::dvr_only), &Rendering::skipping, false);
-  Frame forced = frame_of("builtin:noise?n=96", "smooth-haze", Mode::dvr_only);
+      with(frame_of("noise?n=96", "smooth-haze", Mode::dvr_only), &Rendering::skipping, false);
+  Frame forced = frame_of("noise?n=96", "smooth-haze", Mode::dvr_only);
   forced.forced.features.skipping = true;
   std::vector<Race> list{
       xor_race("a spike", spike, "dirac-shell", 1.1),
       xor_race("a spike, shaded", spike, "dirac-shell", 1.1, Shading::gradient),
-      xor_race("eight shells", "builtin:sphere?n=96", "onion", 1.5),
-      xor_race("noise", "builtin:noise?n=96", "noisy-band", 1.5),
-      xor_race("gyroid, four peaks", "builtin:gyroid?n=96", "four-peaks", 1.5),
-      xor_race("marschner-lobb, four peaks", "builtin:marschner-lobb?n=96", "four-peaks", 1.5),
+      xor_race("eight shells", "sphere?n=96", "onion", 1.5),
+      xor_race("noise", "noise?n=96", "noisy-band", 1.5),
+      xor_race("gyroid, four peaks", "gyroid?n=96", "four-peaks", 1.5),
+      xor_race("marschner-lobb, four peaks", "marschner-lobb?n=96", "four-peaks", 1.5),
       {"DVR to a loop that only reads the volume", haze, haze, 2, fetch_loop},
       {"skipping forced in where all shows", forced, haze, 1.1},
-      skipping_race("vessels", frame_of("builtin:vessels?n=128", "vessels-shell", Mode::peak_xor_dvr)),
-      skipping_race("vessels, shaded", frame_of("builtin:vessels?n=128", "vessels-shell", Mode::peak_xor_dvr,
+      skipping_race("vessels", frame_of("vessels?n=128", "vessels-shell", Mode::peak_xor_dvr)),
+      skipping_race("vessels, shaded", frame_of("vessels?n=128", "vessels-shell", Mode::peak_xor_dvr,
                                                 Shading::gradient)),
   };
   if (const auto real = real_vessels()) list.push_back(skipping_race("aneurism", *real));
@@ -122,7 +122,7 @@ void compete(benchmark::State& state, const Race& race) {
 
 /// An edit of a TF of 64 points over a volume of 64^3 macrocells: peaks, their table, the TF's, occupancy.
 void edit(benchmark::State& state) {
-  Frame frame = frame_of("builtin:sphere?n=256", "onion", Mode::peak_xor_dvr);
+  Frame frame = frame_of("sphere?n=256", "onion", Mode::peak_xor_dvr);
   auto& points = frame.scene.tf.points;
   const double low = points.front().value, high = points.back().value;
   points.clear();
@@ -153,7 +153,7 @@ int run(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 1;
 
   const OffscreenContext context;
-  const testing::ChangedShaders fetching = fetch_loop();
+  const ChangedShaders fetching = fetch_loop();
   const std::vector<Race> list = races(fetching.folder());
   benchmark::AddCustomContext("renderer", context.renderer());
   const auto add = [](const std::string& name, auto work) {

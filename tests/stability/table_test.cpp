@@ -19,7 +19,6 @@ namespace crest::stability {
 namespace {
 
 namespace fs = std::filesystem;
-using crest::testing::ChangedShaders;
 
 std::vector<Row> one_row(Lab&) {
   Row row;
