@@ -29,7 +29,7 @@ class MacrocellStore {
   GLuint texture(const Volume& volume, const Classification& classification, const Rendering& rendering,
                  const Features& features, const TableBlur& blur);
   /// The side of a macrocell, in cells of the grid.
-  static int side(const Volume& volume) { return macrocell_side(volume.grid); }
+  static int side(const Volume& volume) { return macrocell_side(volume.grid, volume.statistics); }
 
  private:
   /// What an occupancy depends on, beside the volume and the TF.

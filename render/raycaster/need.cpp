@@ -119,10 +119,10 @@ void Decision::decide_tf_table() {
                       : tf_table_blur(s_.dvr_tf(), s_.dvr_field(), need_.tf_table.entries);
 }
 
-// The walk alone costs a tenth of a frame (bench_features: skipping, forced in), and what a march takes to
-// begin again comes on top: where most macrocells show something it is left out. A guess: scattered ones may
-// still cost more than they save.
-constexpr double most_occupied = 0.6;
+// The walk alone costs a tenth of a frame, and each run that a march begins anew some samples: where cells
+// that show something lie scattered, leaving out the others pays below this share (bench_speed: "... % of the
+// macrocells show").
+constexpr double most_occupied = 0.5;
 
 std::string Decision::why_no_skipping() const {
   if (!s_.rendering.skipping) return "rendering.skipping is false";
@@ -268,7 +268,7 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
         std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z));
   }
   if (f.adaptive || f.skipping) {
-    const int side = macrocell_side(volume.grid);
+    const int side = macrocell_side(volume.grid, volume.statistics);
     const glm::ivec3 cells = (dims - 2 + side) / side;
     add("macrocells", fmt::format("{}x{}x{}, of {} cells a side", cells.x, cells.y, cells.z, side),
         std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z));

@@ -1,5 +1,8 @@
 #include "render/raycaster/occupancy.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -80,9 +83,11 @@ Occupancy find_occupancy(const Macrocells& macrocells, const Shown& shown, Value
   const VisibleBins visible(shown, field);
   Occupancy occupancy;
   occupancy.cells.resize(macrocells.count());
-  for (std::size_t i = 0; i < macrocells.count(); ++i)
-    occupancy.cells[i] = macrocells.min[i] <= macrocells.max[i] &&
-                         visible.any_in(double(macrocells.min[i]), double(macrocells.max[i]));
+  tbb::parallel_for(tbb::blocked_range(std::size_t(0), macrocells.count(), 1 << 14), [&](const auto& part) {
+    for (std::size_t i = part.begin(); i < part.end(); ++i)
+      occupancy.cells[i] = macrocells.min[i] <= macrocells.max[i] &&
+                           visible.any_in(double(macrocells.min[i]), double(macrocells.max[i]));
+  });
   count_share(occupancy);
   return occupancy;
 }

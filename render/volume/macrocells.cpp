@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+#include <numeric>
 
 namespace crest {
 namespace {
@@ -47,9 +48,13 @@ void store(Macrocells& macrocells, std::size_t index, ValueRange range, double f
 
 }  // namespace
 
-int macrocell_side(const Grid& grid) {
+int macrocell_side(const Grid& grid, const VolumeStatistics& statistics) {
+  const auto& bins = statistics.histogram;
+  const auto fullest = bins.empty() ? 0 : *std::ranges::max_element(bins);
+  const bool is_mostly_background = fullest > std::accumulate(bins.begin(), bins.end(), std::uint64_t(0)) / 2;
+  const int least = is_mostly_background ? 3 : 4, most = is_mostly_background ? 96 : 64;
   const int longest = std::max({grid.dims.x, grid.dims.y, grid.dims.z}) - 1;
-  return std::max(4, (longest + 63) / 64);
+  return std::max(least, (longest + most - 1) / most);
 }
 
 Macrocells build_macrocells(const Volume& volume, const FieldFilter& filter, int side) {

@@ -21,9 +21,10 @@ struct Macrocells {
   std::size_t count() const { return min.size(); }
 };
 
-/// Cells along the side of a macrocell: at least 4, so that a walk through them is short beside the samples
-/// in them, and so many that there are at most 64 on the longest axis, as in the paper.
-int macrocell_side(const Grid& grid);
+/// Cells along the side of a macrocell: as small as pays, since a walk through them costs some samples a
+/// macrocell. At least 4 and at most 64 on the longest axis, as in the paper; where most voxels have nearly
+/// the same value there is much to skip, and it is 3 and 96 (docs/measured.md).
+int macrocell_side(const Grid& grid, const VolumeStatistics& statistics);
 
 /// O(voxels), on all cores. Voxels without a value do not count: no sample lies in their cells.
 Macrocells build_macrocells(const Volume& volume, const FieldFilter& filter, int side);

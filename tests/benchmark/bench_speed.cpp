@@ -3,6 +3,7 @@
 // itself, which is what the run varies by. With CREST_DATA set to a folder of real volumes, aneurism is among
 // them.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -16,6 +17,7 @@
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
 #include "render/volume/load.h"
+#include "render/volume/macrocells.h"
 #include "tests/benchmark/contestant.h"
 #include "tests/changed_shaders.h"
 
@@ -47,13 +49,36 @@ Frame with(Frame frame, Value Rendering::*setting, const std::type_identity_t<Va
 }
 
 Race xor_race(const std::string& name, const char* volume, const char* preset, double aim,
-              Shading shading = Shading::none) {
-  return {"PEAK_XOR_DVR to DVR_ONLY, " + name, frame_of(volume, preset, Mode::peak_xor_dvr, shading),
-          frame_of(volume, preset, Mode::dvr_only, shading), aim};
+              Shading shading = Shading::none, bool skipping = true) {
+  const auto frame = [&](Mode mode) {
+    return with(frame_of(volume, preset, mode, shading), &Rendering::skipping, skipping);
+  };
+  return {"PEAK_XOR_DVR to DVR_ONLY, " + name, frame(Mode::peak_xor_dvr), frame(Mode::dvr_only), aim};
 }
 
 Race skipping_race(const std::string& name, const Frame& frame) {
   return {"with skipping to without, " + name, frame, with(frame, &Rendering::skipping, false), 0.2};
+}
+
+/// Haze where the field is above a threshold, so that more or less of the macrocells show something.
+Race share_race(const std::shared_ptr<const Volume>& noise, double threshold) {
+  Scene scene = make_scene(noise, load_preset("smooth-haze"));
+  scene.tf.domain = Domain::data;
+  const auto point = [](double value, double opacity) {
+    return ControlPoint{
+        .value = value, .color = glm::dvec3(1), .opacity = opacity, .surface = {}, .unknown = {}};
+  };
+  scene.tf.points = {point(threshold, 0), point(threshold + 0.1, 0.2),
+                     point(noise->statistics.range.max, 0.2)};
+  scene.rendering.mode = Mode::dvr_only;
+  scene.rendering.shading = Shading::none;
+  const Macrocells cells = build_macrocells(*noise, {}, macrocell_side(noise->grid, noise->statistics));
+  const auto shown = std::ranges::count_if(cells.max, [&](float most) { return most > threshold; });
+  Frame skipping{scene};
+  skipping.forced.features.skipping = true;
+  return {fmt::format("with skipping to without, {:.0f} % of the macrocells show",
+                      100.0 * double(shown) / double(cells.count())),
+          skipping, with({scene}, &Rendering::skipping, false), 1};
 }
 
 /// A loop over the samples of DVR that only reads the volume: what the machine can do.
@@ -79,12 +104,12 @@ std::optional<Frame> real_vessels() {
 
 std::vector<Race> races(const std::filesystem::path& fetch_loop) {
   const char* spike = "plume?n=96";
-  const Frame haze =
-      with(frame_of("noise?n=96", "smooth-haze", Mode::dvr_only), &Rendering::skipping, false);
+  const Frame haze = with(frame_of("noise?n=96", "smooth-haze", Mode::dvr_only), &Rendering::skipping, false);
   Frame forced = frame_of("noise?n=96", "smooth-haze", Mode::dvr_only);
   forced.forced.features.skipping = true;
   std::vector<Race> list{
       xor_race("a spike", spike, "dirac-shell", 1.1),
+      xor_race("a spike, nothing skipped", spike, "dirac-shell", 1.1, Shading::none, false),
       xor_race("a spike, shaded", spike, "dirac-shell", 1.1, Shading::gradient),
       xor_race("eight shells", "sphere?n=96", "onion", 1.5),
       xor_race("noise", "noise?n=96", "noisy-band", 1.5),
@@ -93,9 +118,11 @@ std::vector<Race> races(const std::filesystem::path& fetch_loop) {
       {"DVR to a loop that only reads the volume", haze, haze, 2, fetch_loop},
       {"skipping forced in where all shows", forced, haze, 1.1},
       skipping_race("vessels", frame_of("vessels?n=128", "vessels-shell", Mode::peak_xor_dvr)),
-      skipping_race("vessels, shaded", frame_of("vessels?n=128", "vessels-shell", Mode::peak_xor_dvr,
-                                                Shading::gradient)),
+      skipping_race("vessels, shaded",
+                    frame_of("vessels?n=128", "vessels-shell", Mode::peak_xor_dvr, Shading::gradient)),
   };
+  const auto noise = std::make_shared<const Volume>(make_builtin("noise?n=96"));
+  for (const double threshold : {0.4, 0.6, 0.8, 1.0, 1.3, 1.6}) list.push_back(share_race(noise, threshold));
   if (const auto real = real_vessels()) list.push_back(skipping_race("aneurism", *real));
   return list;
 }

@@ -94,13 +94,21 @@ TEST(Macrocells, WithoutAValueAreEmpty) {
   EXPECT_GT(macrocells.min[1], macrocells.max[1]);
 }
 
-TEST(Macrocells, AreAtMost64OnAnAxis) {
+TEST(Macrocells, AreSmallerWhereMostIsBackground) {
+  VolumeStatistics varied, sparse;
+  varied.histogram = {10, 20, 20, 50};
+  sparse.histogram = {10, 20, 20, 51};
   for (const int n : {2, 5, 64, 128, 257, 302, 1000}) {
     const Grid grid{{n, 2, 2}};
-    const int side = macrocell_side(grid);
+    const auto count = [&](int side) { return (n - 1 + side - 1) / side; };
+    const int side = macrocell_side(grid, varied), smaller = macrocell_side(grid, sparse);
     EXPECT_GE(side, 4);
-    EXPECT_LE((n - 1 + side - 1) / side, 64) << n;
+    EXPECT_LE(count(side), 64) << n;
+    EXPECT_GE(smaller, 3);
+    EXPECT_LT(smaller, side);
+    EXPECT_LE(count(smaller), 96) << n;
   }
+  EXPECT_EQ(macrocell_side(Grid{{9, 9, 9}}, {}), 4);
 }
 
 }  // namespace
