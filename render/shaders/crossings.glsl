@@ -52,33 +52,75 @@ bool find_extremum(Ray ray, Interval now, out Knot extremum) {
 }
 #endif
 
-// The peaks that may be crossed between two knots.
-struct Candidates {
-  uint first, count;
+#if PEAK_LIST && SEVERAL_PEAKS
+// The peaks that are crossed between two knots and not taken yet: bit k is that of the k-th value, by `crosses`.
+struct Crossed {
+  int left;
   bool rising;
 };
 
-Candidates candidates_between(Knot a, Knot b) {
-  Candidates c;
+Crossed crossed_between(float before, Knot a, Knot b) {
+  vec4 v = few_peaks;
+  ivec4 above_a = ivec4(greaterThan(vec4(a.value), v)), on_a = ivec4(equal(vec4(a.value), v));
+  ivec4 above_b = ivec4(greaterThan(vec4(b.value), v)), on_b = ivec4(equal(vec4(b.value), v));
+  ivec4 inside_a = above_a | (on_a & ivec4(greaterThanEqual(vec4(before), v)));
+  ivec4 inside_b = above_b | (on_b & (above_a | on_a));
+  ivec4 bits = (inside_a ^ inside_b) << ivec4(0, 1, 2, 3);
+  return Crossed(bits.x | bits.y | bits.z | bits.w, b.value >= a.value);
+}
+
+bool any_left(Crossed c) { return c.left != 0; }
+
+// The next one in the order in which they are met.
+Peak take(inout Crossed c) {
+  int k = c.rising ? findLSB(c.left) : findMSB(c.left);
+  c.left &= ~(1 << k);
+  return peaks[k];
+}
+#else
+// The peaks that may be crossed between two knots, in the order in which they would be met; the k-th is the next one
+// that is. Where no step reaches two surfaces there is one candidate.
+struct Crossed {
+  uint first, count, k;
+  bool rising;
+  float before, a, b;
+};
+
+Peak candidate(Crossed c) {
+#if SEVERAL_PEAKS
+  return peaks[c.first + (c.rising ? c.k : c.count - 1u - c.k)];
+#else
+  return peaks[c.first];
+#endif
+}
+
+void skip_uncrossed(inout Crossed c) {
+#if SEVERAL_PEAKS
+  while (c.k < c.count && !crosses(candidate(c).value, c.before, c.a, c.b)) ++c.k;
+#else
+  if (c.k < c.count && !crosses(candidate(c).value, c.before, c.a, c.b)) ++c.k;
+#endif
+}
+
+Crossed crossed_between(float before, Knot a, Knot b) {
+  Crossed c;
   find_candidates(min(a.value, b.value), max(a.value, b.value), c.first, c.count);
+  c.k = 0u;
   c.rising = b.value >= a.value;
+  c.before = before;
+  c.a = a.value;
+  c.b = b.value;
+  skip_uncrossed(c);
   return c;
 }
 
-// The k-th in the order in which they would be met; the first one from the k-th that is crossed, or their count when
-// there is none. Where no step reaches two surfaces there is one candidate.
-#if SEVERAL_PEAKS
-Peak peak_at(Candidates c, uint k) { return peaks[c.first + (c.rising ? k : c.count - 1u - k)]; }
+bool any_left(Crossed c) { return c.k < c.count; }
 
-uint next_crossed(Candidates c, uint k, float before, Knot a, Knot b) {
-  while (k < c.count && !crosses(peak_at(c, k).value, before, a.value, b.value)) ++k;
-  return k;
-}
-#else
-Peak peak_at(Candidates c, uint k) { return peaks[c.first]; }
-
-uint next_crossed(Candidates c, uint k, float before, Knot a, Knot b) {
-  return k < c.count && crosses(peaks[c.first].value, before, a.value, b.value) ? k : c.count;
+Peak take(inout Crossed c) {
+  Peak peak = candidate(c);
+  ++c.k;
+  skip_uncrossed(c);
+  return peak;
 }
 #endif
 
@@ -94,13 +136,12 @@ bool composite_interval(Ray ray, Interval now, out float before) {
   if (!parts_left) b = now.b;
 #endif
   before = now.before;
-  Candidates candidates = candidates_between(a, b);
-  uint k = next_crossed(candidates, 0u, before, a, b);
+  Crossed crossed = crossed_between(before, a, b);
   int found = 0;
   bool again;
   do {
-    if (k < candidates.count) {
-      Peak peak = peak_at(candidates, k);
+    if (any_left(crossed)) {
+      Peak peak = take(crossed);
       Knot bracket = a;
       if (from.t > a.t) bracket = from;
       Knot hit = Knot(solve(ray, bracket, b, peak.value), peak.value);
@@ -112,12 +153,13 @@ bool composite_interval(Ray ray, Interval now, out float before) {
       COUNT_CROSSING;
       from = hit;
       ++found;
-      k = next_crossed(candidates, k + 1u, before, a, b);
     }
-    again = k < candidates.count && !IS_FULL(found);
+    again = any_left(crossed) && !IS_FULL(found);
 #if STATISTICS
-    for (uint left = k; !again && left < candidates.count; left = next_crossed(candidates, left + 1u, before, a, b))
+    while (!again && any_left(crossed)) {
+      take(crossed);
       COUNT_LEFT_OUT;
+    }
 #endif
 #if EXTREMA
     if (!again && parts_left) {
@@ -126,9 +168,8 @@ bool composite_interval(Ray ray, Interval now, out float before) {
       before = a.value;
       a = b;
       b = now.b;
-      candidates = candidates_between(a, b);
-      k = next_crossed(candidates, 0u, before, a, b);
-      again = k < candidates.count && !IS_FULL(found);
+      crossed = crossed_between(before, a, b);
+      again = any_left(crossed) && !IS_FULL(found);
 #if PREINTEGRATED && DVR && SPLIT
       if (found > 0 || again) composite_until(ray, now, from, a, found == 0, DVR_LIGHT(a.t));
 #endif

@@ -63,15 +63,12 @@ bool may_cross(float least, float most) {
   return any(bvec4(ivec4(above_least) & ivec4(below_most)));
 }
 
+#if !SEVERAL_PEAKS
 void find_candidates(float least, float most, out uint first, out uint count) {
-#if SEVERAL_PEAKS
-  first = 0u;
-  count = uint(peak_count);
-#else
   first = min(uint(dot(vec4(lessThan(few_peaks, vec4(least))), vec4(1.0))), uint(peak_count) - 1u);
   count = 1u;
-#endif
 }
+#endif
 #else
 // A single one.
 uniform vec4 few_peaks;
