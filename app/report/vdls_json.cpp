@@ -26,17 +26,28 @@ Json to_json(const std::vector<VdlsTiming>& timings) {
   return json;
 }
 
+Json to_json(const VdlsScale& scale, const std::string& setup, const LineFit& fit) {
+  const Growth growth = growth_of(fit);
+  return {{"scale", scale.name},
+          {"power", scale.power},
+          {"setup", setup},
+          {"fixed_ms", fit.fixed_ms},
+          {"ms_per_unit", fit.ms_per_unit},
+          {"fixed_share", fit.fixed_share},
+          {"largest_residual", fit.largest_residual},
+          {"growth", growth == Growth::proportional ? "proportional"
+                     : growth == Growth::linear     ? "linear"
+                                                    : "other"}};
+}
+
 Json to_json(const VdlsSeries& series) {
   Json json{{"id", series.id}, {"title", series.title}, {"x_title", series.x_title}};
   for (const VdlsSeries::Point& point : series.points)
     json["points"].push_back({{"x", point.x}, {"label", point.label}, {"timings", to_json(point.timings)}});
-  if (!series.is_scaling) return json;
-  for (std::size_t i = 0; i < series.points.front().timings.size(); ++i) {
-    const PowerFit fit = fit_power(series, i);
-    json["fits"].push_back({{"setup", series.points.front().timings[i].setup},
-                            {"exponent", fit.exponent},
-                            {"largest_residual", fit.largest_residual}});
-  }
+  for (const VdlsScale& scale : series.scales)
+    for (std::size_t i = 0; i < series.points.front().timings.size(); ++i)
+      json["fits"].push_back(
+          to_json(scale, series.points.front().timings[i].setup, fit_line(series, i, scale.power)));
   return json;
 }
 

@@ -14,12 +14,14 @@ namespace crest {
 
 int Scenery::spans(const Features& features) const {
   const int cells = grid.dims.x + grid.dims.y + grid.dims.z;
-  return 1 + (features.empty_cells ? cells : 0) + (features.adaptive ? cells / macrocell_side(grid, statistics) + 3 : 0);
+  return 1 + (features.empty_cells ? cells : 0) +
+         (features.adaptive ? cells / macrocell_side(grid, statistics) + 3 : 0);
 }
 
 int Scenery::walk_rounds(const Features& features) const {
   const int cells = grid.dims.x + grid.dims.y + grid.dims.z;
-  const int macrocells = features.adaptive || features.skipping ? 4 * (cells / macrocell_side(grid, statistics) + 3) : 0;
+  const int macrocells =
+      features.adaptive || features.skipping ? 4 * (cells / macrocell_side(grid, statistics) + 3) : 0;
   return (features.empty_cells ? 2 * cells : 0) + macrocells;
 }
 

@@ -35,7 +35,8 @@ void main() {
   if (first_layer >= delta.w) discard;  // outside of the volume
 #endif
   ivec4 current = texelFetch(layer_samples, pixel, 0);
-  float dt = intBitsToFloat(current.w);
+  ivec3 fraction = unpack_fraction(current.w);
+  float dt = length(vec3(delta.xyz)) * delta_unit();
   collected = nothing_gathered;
 #if SHADING
   Ray ray = pixel_ray();
@@ -47,8 +48,11 @@ void main() {
     lit = light(ray, gradient_at(position));
 #endif
     if (first_layer + layer < delta.w) gather(value, lit, dt, 1.0 / float(delta.w));
-    current.xyz += delta.xyz;
+    ivec3 moved = fraction + delta.xyz;
+    current.xyz += moved >> fraction_bits;
+    fraction = moved & ((1 << fraction_bits) - 1);
   }
+  current.w = pack_fraction(fraction);
   out_color = collected;
   next_layer_sample = current;
 }

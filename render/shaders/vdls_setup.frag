@@ -40,8 +40,8 @@ void main() {
 #else
     vec3 start = at(ray, middle_at(s, first)), delta = s.dt * ray.direction;
 #endif
-    layer_sample = ivec4(round(start / fixed_unit), floatBitsToInt(s.dt));
-    delta_vector = ivec4(round(delta / fixed_unit), last - first);
+    layer_sample = ivec4(round(start / fixed_unit), 0);
+    delta_vector = ivec4(round(delta / delta_unit()), last - first);
     if (last > first) out_color = vec4(ILLUMINATION_MINIMUM);
     ivec2 leaf = ivec2(gl_FragCoord.xy) / leaf_side;
     atomicMax(leaf_counts[leaf.y * leaves + leaf.x], uint(last - first));

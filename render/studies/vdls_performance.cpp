@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 #include "render/measure/timing.h"
@@ -26,6 +27,43 @@ double samples_of(Renderer& renderer, const Scene& scene, const Camera& camera, 
   const RenderCounts counts = sum_of(renderer.draw_counts(scene, camera, counted));
   return counts.samples / counts.pixels * size.x * size.y;
 }
+
+/// A subject with what draws it.
+struct Stage {
+  VdlsSubject subject;
+  std::vector<Camera> views;
+  std::unique_ptr<gl::RenderTarget> target;
+  std::shared_ptr<Renderer> renderer;
+
+  Stage(const VdlsSubject& drawn, int count, std::shared_ptr<Renderer> drawn_by)
+      : subject(drawn),
+        views(random_views(drawn.scene.volume->grid, count, seed)),
+        target(std::make_unique<gl::RenderTarget>(drawn.size, false)),
+        renderer(std::move(drawn_by)) {}
+
+  bool serves(const VdlsSubject& other) const {
+    return subject.scene.volume == other.scene.volume && subject.scene.tf == other.scene.tf &&
+           subject.size == other.size;
+  }
+  double draw_ms(const VdlsSetup& setup, std::size_t view, const std::stop_token& stop) const {
+    if (stop.stop_requested()) throw Cancelled();
+    if (setup.engine == Engine::vdls) renderer->vdls().set_options(setup.options);
+    return finished_ms([&] { renderer->draw(scene_of(subject.scene, setup), views[view], *target); });
+  }
+  /// First frames and counts.
+  std::vector<VdlsTiming> begin(const std::stop_token& stop) {
+    std::vector<VdlsTiming> timings;
+    const std::size_t counted = std::min(views.size(), std::size_t(counted_views));
+    for (const VdlsSetup& setup : subject.setups) {
+      timings.push_back({setup.name, {}, 0});
+      draw_ms(setup, 0, stop);
+      for (std::size_t i = 0; i < counted; ++i)
+        timings.back().samples +=
+            samples_of(*renderer, scene_of(subject.scene, setup), views[i], subject.size) / double(counted);
+    }
+    return timings;
+  }
+};
 
 }  // namespace
 
@@ -52,54 +90,58 @@ double VdlsTiming::mean_ms() const {
          double(std::max(frame_ms.size(), std::size_t(1)));
 }
 
-std::vector<VdlsTiming> time_setups(Renderer& renderer, const Scene& scene, glm::ivec2 size,
-                                    const std::vector<VdlsSetup>& setups, const VdlsEffort& effort) {
-  gl::RenderTarget target(size, false);
-  const auto views = random_views(scene.volume->grid, effort.views, seed);
-  const auto draw_ms = [&](const VdlsSetup& setup, const Camera& view) {
-    if (effort.stop.stop_requested()) throw Cancelled();
-    if (setup.engine == Engine::vdls) renderer.vdls().set_options(setup.options);
-    return finished_ms([&] { renderer.draw(scene_of(scene, setup), view, target); });
-  };
-  std::vector<VdlsTiming> timings;
-  for (const VdlsSetup& setup : setups) {
-    timings.push_back({setup.name, {}, 0});
-    draw_ms(setup, views.front());
-    const std::size_t counted = std::min(views.size(), std::size_t(counted_views));
-    for (std::size_t i = 0; i < counted; ++i)
-      timings.back().samples +=
-          samples_of(renderer, scene_of(scene, setup), views[i], size) / double(counted);
+std::vector<std::vector<VdlsTiming>> time_subjects(Renderer& renderer,
+                                                   const std::vector<VdlsSubject>& subjects,
+                                                   const VdlsEffort& effort) {
+  std::vector<Stage> stages;
+  for (const VdlsSubject& subject : subjects) {
+    const auto same = std::ranges::find_if(stages, [&](const Stage& s) { return s.serves(subject); });
+    auto drawn_by = stages.empty()         ? std::shared_ptr<Renderer>(&renderer, [](Renderer*) {})
+                    : same != stages.end() ? same->renderer
+                                           : std::make_shared<Renderer>();
+    stages.emplace_back(subject, effort.views, std::move(drawn_by));
   }
+  std::vector<std::vector<VdlsTiming>> timings;
+  for (Stage& stage : stages) timings.push_back(stage.begin(effort.stop));
   const auto begin = std::chrono::steady_clock::now();
-  for (const Camera& view : views) {
-    for (std::size_t i = 0; i < setups.size(); ++i) timings[i].frame_ms.push_back(draw_ms(setups[i], view));
+  for (std::size_t view = 0; view < std::size_t(effort.views); ++view) {
+    for (std::size_t i = 0; i < stages.size(); ++i)
+      for (std::size_t k = 0; k < timings[i].size(); ++k)
+        timings[i][k].frame_ms.push_back(stages[i].draw_ms(subjects[i].setups[k], view, effort.stop));
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     if (taken.count() > effort.seconds) break;
   }
   return timings;
 }
 
-PowerFit fit_power(const VdlsSeries& series, std::size_t setup) {
-  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  const auto xy = [&](const VdlsSeries::Point& point) {
-    return glm::dvec2(std::log(point.x), std::log(point.timings[setup].mean_ms()));
-  };
+LineFit fit_line(const VdlsSeries& series, std::size_t setup, double power) {
+  // Each residual is weighed with the time it is of: t (a + b x) = 1 in the sense of least squares
+  double saa = 0, sab = 0, sbb = 0, sa = 0, sb = 0, largest = 0;
+  const auto time_of = [&](const VdlsSeries::Point& point) { return point.timings[setup].mean_ms(); };
   for (const auto& point : series.points) {
-    const glm::dvec2 p = xy(point);
-    n += 1;
-    sx += p.x;
-    sy += p.y;
-    sxx += p.x * p.x;
-    sxy += p.x * p.y;
+    const double x = std::pow(point.x, power), a = 1 / time_of(point), b = x / time_of(point);
+    saa += a * a;
+    sab += a * b;
+    sbb += b * b;
+    sa += a;
+    sb += b;
+    largest = std::max(largest, x);
   }
-  PowerFit fit;
-  fit.exponent = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  const double determinant = saa * sbb - sab * sab;
+  LineFit fit;
+  fit.fixed_ms = (sbb * sa - sab * sb) / determinant;
+  fit.ms_per_unit = (saa * sb - sab * sa) / determinant;
+  fit.fixed_share = fit.fixed_ms / (fit.fixed_ms + fit.ms_per_unit * largest);
   for (const auto& point : series.points) {
-    const glm::dvec2 p = xy(point);
-    const double residual = p.y - (sy - fit.exponent * sx) / n - fit.exponent * p.x;
-    fit.largest_residual = std::max(fit.largest_residual, std::abs(std::expm1(residual)));
+    const double fitted = fit.fixed_ms + fit.ms_per_unit * std::pow(point.x, power);
+    fit.largest_residual = std::max(fit.largest_residual, std::abs(fitted / time_of(point) - 1));
   }
   return fit;
+}
+
+Growth growth_of(const LineFit& fit) {
+  if (!(fit.largest_residual <= 0.1) || fit.ms_per_unit <= 0) return Growth::other;
+  return std::abs(fit.fixed_share) <= 0.1 ? Growth::proportional : Growth::linear;
 }
 
 }  // namespace crest

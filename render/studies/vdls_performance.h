@@ -41,15 +41,31 @@ struct VdlsEffort {
   std::stop_token stop;
 };
 
-/// All setups in one scene, seen from random directions. Each draws a first frame that is not timed. Throws
-/// Cancelled when a stop is asked for.
-std::vector<VdlsTiming> time_setups(Renderer& renderer, const Scene& scene, glm::ivec2 size,
-                                    const std::vector<VdlsSetup>& setups, const VdlsEffort& effort);
+/// What is drawn by each of its setups.
+struct VdlsSubject {
+  Scene scene;
+  glm::ivec2 size;
+  std::vector<VdlsSetup> setups;
+};
+
+/// All setups of all subjects, view by view from the same random directions, so that each number of a series
+/// is the mean over as many views and all met the same machine. Each draws a first frame that is not timed.
+/// `renderer` draws the first subject; one that needs another volume, TF or size gets a renderer of its own,
+/// so that nothing is made anew between frames. Throws Cancelled when a stop is asked for.
+std::vector<std::vector<VdlsTiming>> time_subjects(Renderer& renderer,
+                                                   const std::vector<VdlsSubject>& subjects,
+                                                   const VdlsEffort& effort);
+
+/// What times may be proportional to: a power of a series' x.
+struct VdlsScale {
+  std::string name;
+  double power = 1;
+};
 
 /// Times along something that grows: a figure of the paper.
 struct VdlsSeries {
   std::string id, title, x_title;
-  bool is_scaling = false;  ///< x is what the times are to be proportional to
+  std::vector<VdlsScale> scales;  ///< that the paper claims
   struct Point {
     double x;
     std::string label;
@@ -58,11 +74,17 @@ struct VdlsSeries {
   std::vector<Point> points;
 };
 
-/// frame_ms = c x^exponent, fitted to a series by least squares of the logarithms.
-struct PowerFit {
-  double exponent = 0;
+/// frame_ms = fixed_ms + ms_per_unit x^power, fitted by least squares of the times' relative residuals.
+struct LineFit {
+  double fixed_ms = 0, ms_per_unit = 0;
+  double fixed_share = 0;       ///< of the time at the largest x
   double largest_residual = 0;  ///< of a point's time, as a share of it
 };
-PowerFit fit_power(const VdlsSeries& series, std::size_t setup);
+LineFit fit_line(const VdlsSeries& series, std::size_t setup, double power);
+
+/// Whether the times grow as the paper claims: a line fits them, to a tenth; and it goes through zero, to a
+/// tenth of the largest.
+enum class Growth { proportional, linear, other };
+Growth growth_of(const LineFit& fit);
 
 }  // namespace crest

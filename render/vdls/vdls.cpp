@@ -34,6 +34,12 @@ float fixed_unit(const Grid& grid) {
   return float(std::exp2(std::ceil(std::log2(std::max({size.x, size.y, size.z}))) - 30));
 }
 
+/// Of a delta vector: what 31 bits have room for beside twice the step, at most ten.
+int fraction_bits(const Scene& scene) {
+  const double step = scene.rendering.step / double(fixed_unit(scene.volume->grid));
+  return std::clamp(29 - int(std::ceil(std::log2(step))), 0, 10);
+}
+
 gl::BufferHandle make_buffer(std::size_t bytes, const void* data) {
   GLuint id = 0;
   glCreateBuffers(1, &id);
@@ -97,9 +103,8 @@ std::string why_not_vdls(const Scene& scene) {
   for (const std::string& why :
        {only("mode", Mode::dvr_only, r.mode), only("placement", defaults.placement, r.placement),
         only("classification", defaults.classification, r.classification),
-        only("sampling", defaults.sampling, r.sampling),
-        only("classification", defaults.classification, r.classification),
-        only("filter", defaults.filter, r.filter), only("gradient", defaults.gradient, r.gradient)})
+        only("sampling", defaults.sampling, r.sampling), only("filter", defaults.filter, r.filter),
+        only("gradient", defaults.gradient, r.gradient)})
     if (!why.empty()) return why;
   if (r.adaptive) return "the vdls engine takes all steps alike, and rendering.adaptive is true";
   if (scene.volume->has_empty_cells())
@@ -180,6 +185,7 @@ std::vector<std::uint32_t> Vdls::State::set_up(const Scene& scene, const Camera&
   const Box part = visible_part(scene.rendering);
   set_view(program, scene, camera, target.size());
   set(program, "fixed_unit", fixed_unit(grid));
+  set(program, "fraction_bits", fraction_bits(scene));
   set(program, "leaf_side", leaves.side);
   set(program, "leaves", leaves.on_axis);
   set(program, "visible_min", glm::vec3((part.min - grid.origin) / grid.smallest_spacing()));
@@ -238,6 +244,7 @@ void Vdls::State::draw_layers(const Scene& scene, const Camera& camera, glm::ive
   const GLuint program = layers_program(scene.rendering);
   set_view(program, scene, camera, size);
   set(program, "fixed_unit", fixed_unit(volume->grid));
+  set(program, "fraction_bits", fraction_bits(scene));
   set(program, "picture_size", glm::vec2(size));
   bind_volume(scene, program);
   glBindTextureUnit(delta_unit, layers.delta_vectors());

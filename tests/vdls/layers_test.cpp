@@ -58,6 +58,16 @@ TEST_F(Layers, FromEverywhere) {
             << step << ' ' << text_of(options);
 }
 
+// However many delta vectors are added up, they end where the ray caster's samples do.
+TEST_F(Layers, SmallStepsDoNotDrift) {
+  const auto volume = builtin("sphere?n=9");
+  const Scene scene = dvr_scene(volume, "onion", 0.004);
+  const Camera camera = whole_volume_camera(volume->grid);
+  for (const VdlsOptions& options : {VdlsOptions{}, VdlsOptions{.back_to_front = true}})
+    EXPECT_LT(difference(scene, camera, options), rounding) << text_of(options);
+  EXPECT_GT(renderer.vdls().last_work().layers, 1500);
+}
+
 // Planes only bring new entry and exit points; grids need not be cubes, nor their cells.
 TEST_F(Layers, ClipBoxesAndOddGrids) {
   Volume odd = make_builtin("gyroid?n=21");

@@ -151,12 +151,15 @@ function drawGrid(chart, a) {
       chart.append(svg("line", {class: labelled ? "grid-line" : "grid-line minor", x1: px, x2: px, y1: a.top, y2: a.bottom}));
       if (labelled) chart.append(svg("text", {x: px, y: a.bottom + 17, "text-anchor": "middle"}, number(m * 10 ** e)));
     }
-  for (const e of decades(a.yLow, a.yHigh)) {
-    if (e < a.yLow || e > a.yHigh) continue;
-    const py = a.y(10 ** e);
-    chart.append(svg("line", {class: "grid-line", x1: a.left, x2: a.right, y1: py, y2: py}),
-                 svg("text", {x: a.left - 8, y: py + 4, "text-anchor": "end"}, e >= -3 ? number(10 ** e) : `10${superscript(e)}`));
-  }
+  for (const e of decades(a.yLow, a.yHigh))
+    for (const m of a.yHigh - a.yLow < 2 ? [1, 2, 5] : [1]) {
+      const at = Math.log10(m) + e;
+      if (at < a.yLow || at > a.yHigh) continue;
+      const py = a.y(10 ** at);
+      chart.append(svg("line", {class: "grid-line", x1: a.left, x2: a.right, y1: py, y2: py}),
+                   svg("text", {x: a.left - 8, y: py + 4, "text-anchor": "end"},
+                       m > 1 || e >= -3 ? number(m * 10 ** e) : `10${superscript(e)}`));
+    }
   if (a.hasZero)
     chart.append(svg("line", {class: "grid-line", x1: a.left, x2: a.right, y1: a.floor, y2: a.floor}),
                  svg("text", {x: a.left - 8, y: a.bottom - 8, "text-anchor": "end"}, "none"));
