@@ -71,6 +71,7 @@ nlohmann::ordered_json statistics_json(const ExactPicture& picture, const Scene&
   const double pixels = double(exact.pixels.size());
   nlohmann::ordered_json json;
   json["mode"] = name_of(scene.rendering.mode);
+  json["engine"] = name_of(scene.rendering.engine);
   json["answer"] = name_of(picture.answer);
   json["tolerance"] = default_tolerance;
   json["from_cache"] = picture.from_cache;

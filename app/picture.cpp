@@ -70,6 +70,7 @@ nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Renderer&
   const auto& classification = renderer.classification(scene);
   nlohmann::ordered_json json;
   json["mode"] = name_of(scene.rendering.mode);
+  json["engine"] = name_of(scene.rendering.engine);
   json["frame_ms"] = median(picture.frame_ms);
   json["frame_ms_all"] = picture.frame_ms;
   json["first_frame_ms"] = picture.first_frame_ms;

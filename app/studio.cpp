@@ -56,6 +56,17 @@ void Studio::say(std::string text, bool is_error) {
   message_is_error_ = is_error;
 }
 
+// The message goes when what it was about does.
+void Studio::tell_view_error() {
+  const std::string error = views_.error();
+  if (error == view_error_) return;
+  if (!error.empty())
+    say(error, true);
+  else if (message_ == view_error_)
+    say("");
+  view_error_ = error;
+}
+
 bool Studio::has_unsaved_changes() const {
   return without_camera(document_.preset) != without_camera(saved_);
 }
@@ -229,11 +240,8 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
     start_loading(document_.volume_source);
     loading_for_undo_ = true;
   }
-  try {
-    views_.work(view_requests(requests), render_ms, interactive);
-  } catch (const std::exception& error) {
-    say(error.what(), true);
-  }
+  views_.work(view_requests(requests), render_ms, interactive);
+  tell_view_error();
   update_sweep(requests, interactive);
   if (!views_.renderer().shader_error().empty()) say(views_.renderer().shader_error(), true);
 }

@@ -52,6 +52,7 @@ class Studio {
   void save_preset_to(const std::filesystem::path& path);
   void handle(const StudioRequests& requests);
   void say(std::string text, bool is_error = false);
+  void tell_view_error();
   bool has_unsaved_changes() const;
   StudioInputs inputs(bool close_requested);
   void update_table_texture(const Classification& classification);
@@ -73,6 +74,7 @@ class Studio {
   std::vector<Peak> pictured_peaks_;
   gl::TextureHandle table_texture_;
   std::string message_, performance_;
+  std::string view_error_;  ///< as last told
   bool message_is_error_ = false, quit_ = false;
 };
 

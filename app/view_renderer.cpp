@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 #include "render/measure/timing.h"
 #include "render/raycaster/limits.h"
@@ -46,6 +47,7 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
     if (requests[i] == view.wanted) continue;
     view.wanted = requests[i];
     view.warnings = warnings_of(view.wanted);
+    view.error.clear();
     ++view.wanted_version;
     view.is_counted = false;
     const bool keep = view.pass && view.pass->coarseness > 1 && view.pass->request.size == view.wanted.size &&
@@ -69,14 +71,20 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
         begin_pass(*view, interactive);
       }
       draw_slice(*view, interactive ? slice_ms : std::max(slice_ms, budget_ms / 2));
-    } catch (...) {
-      give_up(*view);
-      throw;
+    } catch (const std::exception& error) {
+      give_up(*view, error.what());
     }
   }
 }
 
-void ViewRenderer::give_up(View& view) {
+std::string ViewRenderer::error() const {
+  for (const View& view : views_)
+    if (!view.error.empty()) return view.error;
+  return "";
+}
+
+void ViewRenderer::give_up(View& view, std::string why) {
+  view.error = std::move(why);
   view.pass.reset();
   view.shown_version = view.wanted_version;
   view.shown_coarseness = 1;

@@ -26,9 +26,11 @@ class ViewRenderer {
  public:
   explicit ViewRenderer(std::filesystem::path shader_folder);
 
-  /// Works for about `budget_ms`. Throws Error when a view cannot be drawn; it keeps its last picture.
+  /// Works for about `budget_ms`. A view that cannot be drawn keeps its last picture; error() says why.
   /// `interactive`: begin with coarse pictures, since more changes are to come.
   void work(const std::array<ViewRequest, view_count>& requests, double budget_ms, bool interactive);
+  /// Why a view cannot be drawn as it is now requested; empty where all can.
+  std::string error() const;
   /// Whether there is anything left to draw.
   bool is_busy() const;
 
@@ -54,6 +56,7 @@ class ViewRenderer {
   struct View {
     ViewRequest wanted;
     std::vector<std::string> warnings;  ///< of `wanted`
+    std::string error;                  ///< why `wanted` cannot be drawn
     std::uint64_t wanted_version = 0, shown_version = 0;
     int shown_coarseness = 0;  ///< 0: nothing is shown
     std::optional<Pass> pass;
@@ -70,7 +73,7 @@ class ViewRenderer {
   void draw_slice(View& view, double slice_ms);
   void finish_pass(View& view);
   void count_costs(View& view);
-  void give_up(View& view);  ///< what cannot be drawn is not tried again until it changes
+  void give_up(View& view, std::string why);  ///< what cannot be drawn is not tried again until it changes
 
   Renderer renderer_;
   gl::Presenter presenter_;

@@ -43,11 +43,23 @@ void visit_fields(Self& box, Field&& field) {
   field("max", box.max, required(any_value));
 }
 
+template <Either<VdlsOptions> Self, class Field>
+void visit_fields(Self& options, Field&& field) {
+  field("homo_regions", options.homo_regions, any_value);
+  field("leaves", options.leaves, FieldRule{.min = 0, .max = 256});
+  field("merge_threshold", options.merge_threshold, FieldRule{.min = 0, .max = 1e6});
+  field("early_test", options.early_test, any_value);
+  field("layers_per_pass", options.layers_per_pass, FieldRule{.min = 1, .max = 64});
+  field("back_to_front", options.back_to_front, any_value);
+  field("gradient_volume", options.gradient_volume, any_value);
+}
+
 template <Either<Rendering> Self, class Field>
 void visit_fields(Self& rendering, Field&& field) {
   field("mode", rendering.mode, always_written());
   field("peak_form", rendering.peak_form, any_value);
   field("engine", rendering.engine, always_written());
+  field("vdls", rendering.vdls, any_value);
   field("classification", rendering.classification, any_value);
   field("preintegration_bins", rendering.preintegration_bins, FieldRule{.min = 2, .max = 2048});
   field("step", rendering.step, FieldRule{.min = 1e-3});  // a ray has a finite number of them

@@ -43,11 +43,29 @@ struct ClipBox {
   bool operator==(const ClipBox&) const = default;
 };
 
+/// How view-dependent layer sampling goes about its work. None of it changes the picture by more than float
+/// rounding, but for the quantised gradients.
+struct VdlsOptions {
+  bool homo_regions = true;  ///< leap over what the TF makes transparent (section 4.1)
+  int leaves = 32;  ///< the screen quadtree begins with leaves x leaves squares (4.2): a power of two to 256;
+                    ///< 0 = no quadtree, the projected box is drawn
+  int merge_threshold = 8;  ///< brothers whose sample counts differ by no more become one node
+  bool early_test = true;   ///< rays that are out of the volume are left alone (4.3)
+  int layers_per_pass = 8;  ///< samples that a pass takes of each ray (4.3), 1..64; the paper's card: 2
+  bool back_to_front = false;
+  bool gradient_volume = true;  ///< shading takes precomputed gradients (3.3); else those of the ray caster
+
+  /// Without its speed-ups, one layer a pass.
+  static VdlsOptions basic() { return {false, 0, 0, false, 1, false, true}; }
+  bool operator==(const VdlsOptions&) const = default;
+};
+
 /// How a picture is made. Every field is one of the preset's JSON fields under "rendering".
 struct Rendering {
   Mode mode = Mode::both;
   PeakForm peak_form = PeakForm::split;
   Engine engine = Engine::raycaster;
+  VdlsOptions vdls;  ///< of that engine
   ClassificationMethod classification = ClassificationMethod::post;
   int preintegration_bins = 256;  ///< of the table on each axis, 2..2048
   double step = 0.5;              ///< at least 1e-3, in units of the smallest spacing; `uniform` alone

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -90,6 +91,10 @@ void check_whole(const ClipBox& box, const Path& path) {
   for (int i = 0; i < 3; ++i)
     if (!(box.min[i] < box.max[i]))
       fail(path, fmt::format("min {} is not less than max {} on axis {}", box.min[i], box.max[i], "xyz"[i]));
+}
+void check_whole(const VdlsOptions& options, const Path& path) {
+  if (options.leaves > 0 && !std::has_single_bit(unsigned(options.leaves)))
+    fail(Path{&path, "leaves"}, fmt::format("{} is neither a power of two nor 0", options.leaves));
 }
 template <class T>
 void check_whole(const T&, const Path&) {}

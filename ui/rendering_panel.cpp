@@ -124,6 +124,21 @@ bool filter_rows(WidgetState& widgets, Rendering& r, float width) {
   return changed;
 }
 
+bool engine_rows(WidgetState& widgets, Rendering& r, float width) {
+  row("Engine",
+      "raycaster\nvdls - view-dependent layer sampling: draws the DVR_ONLY view, and the ray caster the "
+      "others\nreference - the exact answer (crest render and compare); the views are drawn by the ray "
+      "caster");
+  bool changed = choice(widgets, "##engine", r.engine, width);
+  if (r.engine == Engine::vdls) {
+    row("    Layers a pass", "Samples that a pass takes of each ray; the paper's graphics card: 2");
+    changed |= integer_field(widgets, "##layers per pass", r.vdls.layers_per_pass, 1, 64, width);
+    row("    Early test", "Rays that are out of the volume are left alone");
+    changed |= checkbox(widgets, "##early test", r.vdls.early_test);
+  }
+  return changed;
+}
+
 }  // namespace
 
 bool rendering_panel(Document& document, StudioState& state, const StudioInputs& inputs) {
@@ -133,7 +148,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
   ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, scaled(140));
   ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
   const float field = scaled(180);
-  bool changed = false;
+  bool changed = engine_rows(widgets, r, field);
   row("Step", "Length of a ray's steps, in the smallest spacing of the volume; of uniform sampling");
   changed |= number_field(widgets, "##step", r.step, {least_step, largest_step}, field);
   row("Placement",
@@ -200,11 +215,6 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
   changed |= color_square(widgets, "##background", r.background);
   row("Mode in the file", "The mode that the preset is rendered in elsewhere; the views show all four");
   changed |= choice(widgets, "##mode", r.mode, field);
-  row("Engine",
-      "raycaster\nvdls - view-dependent layer sampling: draws the DVR_ONLY view, and the ray caster the "
-      "others\nreference - the exact answer (crest render and compare); the views are drawn by the ray "
-      "caster");
-  changed |= choice(widgets, "##engine", r.engine, field);
   ImGui::EndTable();
   feature_list(state, inputs, r.mode);
   return reconcile(r, classified) || classified || changed;

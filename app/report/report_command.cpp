@@ -14,6 +14,7 @@
 #include "app/report/studies.h"
 #include "app/scene_options.h"
 #include "presets/error.h"
+#include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/volume/load.h"
 
@@ -105,6 +106,12 @@ Report subject_of(const ReportOptions& options) {
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
   const Preset preset = options.scene.read_preset(*volume);
   report.scene = make_scene(volume, preset);
+  if (const Illumination illumination = preset.rendering.illumination;
+      illumination != Illumination::semi_transparent)
+    throw Error(
+        fmt::format("rendering.illumination is {}, which has no exact answer to measure against: "
+                    "a report takes --illumination semi_transparent",
+                    name_of(illumination)));
   report.camera = camera_of(preset, *volume);
   report.subject.command = options.command;
   report.subject.volume = options.scene.volume;

@@ -50,10 +50,9 @@ VdlsReport::Difference picture_pair(VdlsReport& report, Lab& lab, const std::str
   const Image raycaster = lab.picture(scene, camera, Engine::raycaster);
   report.pictures.push_back({fmt::format("images/{}-raycaster.png", id), raycaster});
   const auto vdls = [&](bool gradient_volume) {
-    VdlsOptions options;
-    options.gradient_volume = gradient_volume;
-    lab.renderer.vdls().set_options(options);
-    return lab.picture(scene, camera, Engine::vdls);
+    Scene with = scene;
+    with.rendering.vdls.gradient_volume = gradient_volume;
+    return lab.picture(with, camera, Engine::vdls);
   };
   const auto difference = [&](const Image& image) {
     return double(std::ranges::max(pixel_differences(image, raycaster)));
@@ -140,8 +139,9 @@ void study_quadtrees(VdlsReport& report, Lab& lab, const VdlsScene& scene) {
     options.leaves = v.leaves;
     options.merge_threshold = v.threshold;
     setups.push_back(vdls_setup(v.title, options));
-    lab.renderer.vdls().set_options(options);
-    lab.picture(scene.scene, camera, Engine::vdls);
+    Scene drawn = scene.scene;
+    drawn.rendering.vdls = options;
+    lab.picture(drawn, camera, Engine::vdls);
     report.quadtrees.push_back(
         {v.title, fmt::format("images/{}-vdls.png", scene.id), lab.renderer.vdls().last_work().nodes});
   }
@@ -225,7 +225,6 @@ void study_quality(VdlsReport& report, Lab& lab) {
       render_reference(phantom.scene, camera, lab.size, Answer::integral, default_tolerance,
                        [&](double) { return !lab.stop.stop_requested(); });
   report.pictures.push_back({"images/phantom-exact.png", exact.image()});
-  lab.renderer.vdls().set_options({});
   std::vector<std::string> post_features;
   const auto add = [&](std::string name, Engine engine, double rate, ClassificationMethod classification) {
     Scene scene = phantom.scene;

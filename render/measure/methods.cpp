@@ -6,6 +6,7 @@
 
 #include "presets/preset_file.h"
 #include "render/classify/classification.h"
+#include "render/vdls/vdls.h"
 
 namespace crest {
 namespace {
@@ -25,6 +26,7 @@ constexpr Method table[] = {
      true, 8},
     {"dvr-footprint", "DVR, steps by footprint (s_k = 8 step)", "mode=DVR_ONLY sampling=footprint", true, 8},
     {"dvr-adaptive", "DVR, steps joined where smooth", "mode=DVR_ONLY adaptive=true"},
+    {"dvr-vdls", "DVR, view-dependent layer sampling", "mode=DVR_ONLY engine=vdls"},
     {"peaks", "Peaks alone, divided steps", "mode=PEAK_ONLY peak_form=split"},
     {"peaks-paper", "Peaks alone, as published", "mode=PEAK_ONLY peak_form=paper"},
     {"xor", "Peaks and base TF, divided steps", "mode=PEAK_XOR_DVR peak_form=split"},
@@ -95,6 +97,7 @@ Rendering measured_rendering(const Method& method, double step, const Rendering&
   preset.rendering.clip_box = scene.clip_box;
   preset.rendering.background = scene.background;
   preset.rendering = with_filters_of(preset.rendering, scene);
+  preset.rendering.vdls = scene.vdls;
   preset.rendering.bc_b = scene.bc_b;
   preset.rendering.bc_c = scene.bc_c;
   preset.rendering.max_peaks = scene.max_peaks;
@@ -132,11 +135,14 @@ std::vector<ExactAnswer> exact_answers_of(const Method& method, const Rendering&
 }
 
 std::string why_left_out(const Method& method, const Scene& scene) {
-  const Mode mode = measured_rendering(method, scene.rendering.step, scene.rendering).mode;
+  Scene measured = scene;
+  measured.rendering = measured_rendering(method, scene.rendering.step, scene.rendering);
+  const Mode mode = measured.rendering.mode;
   if (const Method* twin = find_twin(method, scene.rendering))
     return fmt::format("with this scene's filters it is {}", twin->id);
   const bool is_clear = std::ranges::none_of(scene.tf.points, [](const auto& p) { return p.opacity > 0; });
   if (mode == Mode::dvr_only && is_clear) return "no point of the transfer function has an opacity";
+  if (measured.rendering.engine == Engine::vdls) return why_not_vdls(measured);
   if (mode == Mode::dvr_only) return "";
   const auto classification = classify(scene.tf, surface_range(scene));
   return classification.surfaces.empty() ? "no surface lies in the volume's range" : "";

@@ -30,9 +30,9 @@ std::span<const Method> methods();
 const Method* find_method(std::string_view id);
 
 /// The settings with which a method is measured in a scene: the method's own; of the scene's, the filters
-/// that it does not set, clip box, background, max_peaks and the tables' bins; everything else as it is by
-/// default. So shading, which has no exact answer, and early termination, which adds an error of its own, are
-/// off.
+/// that it does not set, clip box, background, max_peaks, the tables' bins and how vdls works; everything
+/// else as it is by default. So shading, which has no exact answer, and early termination, which adds an
+/// error of its own, are off.
 Rendering measured_rendering(const Method& method, double step, const Rendering& scene);
 
 /// The setting with another one's filters for DVR and surfaces.

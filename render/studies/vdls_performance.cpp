@@ -18,6 +18,7 @@ constexpr int count_coarseness = 4, counted_views = 4;
 
 Scene scene_of(Scene scene, const VdlsSetup& setup) {
   scene.rendering.engine = setup.engine;
+  scene.rendering.vdls = setup.options;
   scene.rendering.skipping = setup.skipping;
   return scene;
 }
@@ -47,7 +48,6 @@ struct Stage {
   }
   double draw_ms(const VdlsSetup& setup, std::size_t view, const std::stop_token& stop) const {
     if (stop.stop_requested()) throw Cancelled();
-    if (setup.engine == Engine::vdls) renderer->vdls().set_options(setup.options);
     return finished_ms([&] { renderer->draw(scene_of(subject.scene, setup), views[view], *target); });
   }
   /// First frames and counts.

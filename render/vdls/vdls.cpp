@@ -63,7 +63,6 @@ struct Vdls::State {
 
   gl::ProgramCache programs;
   gl::VertexArrayHandle vertex_array;
-  VdlsOptions options;
 
   std::shared_ptr<const Volume> volume;
   StoredUnits units;  ///< of the volume's texture
@@ -138,7 +137,7 @@ void Vdls::State::take(const Scene& scene) {
 Box Vdls::State::visible_part(const Rendering& rendering) {
   const Grid& grid = volume->grid;
   const Illumination illumination = rendering.illumination;
-  if (!options.homo_regions || !rendering.skipping || shows_values(illumination))
+  if (!rendering.vdls.homo_regions || !rendering.skipping || shows_values(illumination))
     return {grid.box_min(), grid.box_max()};
   if (visible && visible_by == illumination) return *visible;
   visible_by = illumination;
@@ -157,7 +156,7 @@ GLuint Vdls::State::setup_program(const Rendering& rendering, bool counts) {
   features.illumination = rendering.illumination;
   std::vector<std::string> defines = shader_defines(features);
   defines.push_back(fmt::format("COUNTS {:d}", counts));
-  defines.push_back(fmt::format("BACK_TO_FRONT {:d}", options.back_to_front));
+  defines.push_back(fmt::format("BACK_TO_FRONT {:d}", rendering.vdls.back_to_front));
   return programs.program("fullscreen.vert", "vdls_setup.frag", defines);
 }
 
@@ -167,17 +166,17 @@ GLuint Vdls::State::layers_program(const Rendering& rendering) {
   features.shading = is_shaded(rendering);
   features.illumination = rendering.illumination;
   std::vector<std::string> defines = shader_defines(features);
-  defines.push_back(fmt::format("LAYERS {}", options.layers_per_pass));
-  defines.push_back(fmt::format("GRADIENT_VOLUME {:d}", features.shading && options.gradient_volume));
-  defines.push_back(fmt::format("EARLY_TEST {:d}", options.early_test));
-  defines.push_back(fmt::format("BACK_TO_FRONT {:d}", options.back_to_front));
+  defines.push_back(fmt::format("LAYERS {}", rendering.vdls.layers_per_pass));
+  defines.push_back(fmt::format("GRADIENT_VOLUME {:d}", features.shading && rendering.vdls.gradient_volume));
+  defines.push_back(fmt::format("EARLY_TEST {:d}", rendering.vdls.early_test));
+  defines.push_back(fmt::format("BACK_TO_FRONT {:d}", rendering.vdls.back_to_front));
   return programs.program("vdls_proxy.vert", "vdls_layers.frag", defines);
 }
 
 /// Begins the picture; returns each leaf's greatest sample count.
 std::vector<std::uint32_t> Vdls::State::set_up(const Scene& scene, const Camera& camera,
                                                const gl::RenderTarget& target) {
-  const Leaves leaves(target.size(), options.leaves);
+  const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
   std::vector<std::uint32_t> counts(leaves.count());
   const gl::BufferHandle buffer = make_buffer(counts.size() * sizeof counts[0], counts.data());
   const GLuint program = setup_program(scene.rendering, target.has_counts());
@@ -203,9 +202,9 @@ Proxy Vdls::State::make_proxy(const Scene& scene, const Camera& camera, glm::ive
                               const std::vector<std::uint32_t>& counts) {
   work = {};
   Proxy proxy;
-  if (options.leaves > 0) {
-    const Leaves leaves(size, options.leaves);
-    work.nodes = screen_quadtree(counts, leaves.on_axis, leaves.side, options.merge_threshold);
+  if (scene.rendering.vdls.leaves > 0) {
+    const Leaves leaves(size, scene.rendering.vdls.leaves);
+    work.nodes = screen_quadtree(counts, leaves.on_axis, leaves.side, scene.rendering.vdls.merge_threshold);
     proxy = proxy_of(work.nodes);
   } else {
     Box box = rendered_box(volume->grid, scene.rendering.clip_box);
@@ -213,7 +212,7 @@ Proxy Vdls::State::make_proxy(const Scene& scene, const Camera& camera, glm::ive
     box = {glm::max(box.min, part.min), glm::min(box.max, part.max)};
     proxy = proxy_of(box, camera, size, int(std::ranges::max(counts)));
   }
-  const int per_pass = options.layers_per_pass;
+  const int per_pass = scene.rendering.vdls.layers_per_pass;
   const auto passes_through = [&](int count) { return (count + per_pass - 1) / per_pass; };
   work.layers = proxy.layers();
   work.passes = passes_through(work.layers);
@@ -231,7 +230,7 @@ void Vdls::State::bind_volume(const Scene& scene, GLuint program) {
   bind_illumination(program, scene, units);
   if (!is_shaded(scene.rendering)) return;
   set(program, "shading_strength", 1.0f);
-  if (!options.gradient_volume) return;
+  if (!scene.rendering.vdls.gradient_volume) return;
   if (!gradients) gradients = upload_gradients(*volume);
   glBindTextureUnit(gradients_unit, gradients.id());
   set(program, "gradients", int(gradients_unit));
@@ -252,9 +251,9 @@ void Vdls::State::draw_layers(const Scene& scene, const Camera& camera, glm::ive
   set(program, "layer_samples", int(layer_unit));
   glUseProgram(program);
   glEnablei(GL_BLEND, 0);
-  set_blending(scene.rendering.illumination, options.back_to_front);
+  set_blending(scene.rendering.illumination, scene.rendering.vdls.back_to_front);
   for (int pass = 0; pass < work.passes; ++pass) {
-    const int layer = pass * options.layers_per_pass;
+    const int layer = pass * scene.rendering.vdls.layers_per_pass;
     glBindTextureUnit(layer_unit, layers.layer_samples(pass));
     glBindFramebuffer(GL_FRAMEBUFFER, layers.pass_framebuffer(pass));
     set(program, "first_layer", layer);
@@ -273,8 +272,6 @@ Vdls::Vdls(std::filesystem::path shader_folder) : state_(std::make_unique<State>
 }
 Vdls::~Vdls() = default;
 Vdls::Vdls(Vdls&&) noexcept = default;
-
-void Vdls::set_options(const VdlsOptions& options) { state_->options = options; }
 
 void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
   if (const std::string why = why_not_vdls(scene); !why.empty()) throw Error(why);
@@ -296,7 +293,7 @@ void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& targ
 
 PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
   state_->take(scene);
-  const VdlsOptions& o = state_->options;
+  const VdlsOptions& o = scene.rendering.vdls;
   PictureNeed need;
   const auto add = [&](bool in, const char* name, const std::string& why_not) {
     if (in)

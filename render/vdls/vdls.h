@@ -13,22 +13,6 @@
 
 namespace crest {
 
-/// How VDLS goes about its work. None of it changes the picture by more than float rounding, but for the
-/// quantised gradients.
-struct VdlsOptions {
-  bool homo_regions = true;  ///< leap over what the TF makes transparent (section 4.1)
-  int leaves = 32;  ///< the screen quadtree begins with leaves x leaves squares (4.2): a power of two;
-                    ///< 0 = no quadtree, the projected box is drawn
-  int merge_threshold = 8;  ///< brothers whose sample counts differ by no more become one node
-  bool early_test = true;   ///< rays that are out of the volume are left alone (4.3)
-  int layers_per_pass = 8;  ///< samples that a pass takes of each ray (4.3), at least 1; the paper's card: 2
-  bool back_to_front = false;
-  bool gradient_volume = true;  ///< shading takes precomputed gradients (3.3); else those of the ray caster
-
-  /// VDLS without its speed-ups, one layer a pass.
-  static VdlsOptions basic() { return {false, 0, 0, false, 1, false, true}; }
-};
-
 /// What the last picture, or tile of one, took.
 struct VdlsWork {
   int layers = 0, passes = 0;
@@ -37,17 +21,16 @@ struct VdlsWork {
 };
 
 /// The engine of view-dependent layer sampling: instead of ray by ray it renders the samples of all rays
-/// layer by layer, a pass of the graphics pipeline for some layers at a time. Samples, TF and shading are the
-/// ray caster's in DVR_ONLY, so that both give the same picture to float rounding. It keeps what the last
-/// scene needed and rebuilds only what changed. A GL 4.5 context must be current throughout.
+/// layer by layer, a pass of the graphics pipeline for some layers at a time, as rendering.vdls says.
+/// Samples, TF and shading are the ray caster's in DVR_ONLY, so that both give the same picture to float
+/// rounding. It keeps what the last scene needed and rebuilds only what changed. A GL 4.5 context must be
+/// current throughout.
 class Vdls {
  public:
   /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself.
   explicit Vdls(std::filesystem::path shader_folder = {});
   ~Vdls();
   Vdls(Vdls&&) noexcept;
-
-  void set_options(const VdlsOptions& options);
 
   /// Draws a tile of the picture that `camera` sees. With a target that has counts, they are counted; all
   /// samples are DVR's. Throws Error for a scene that VDLS does not render (why_not_vdls), a volume that the

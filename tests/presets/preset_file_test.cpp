@@ -24,6 +24,8 @@ json sample() {
                  {"value": 120.5, "color": [1, 0.2, 0], "opacity": 0.9, "surface": {"mode": "on", "opacity": 0.75}},
                  {"value": 120.5, "opacity": 0.25}]},
     "rendering": {"mode": "PEAK_XOR_DVR", "peak_form": "paper", "engine": "raycaster", "step": 0.25,
+      "vdls": {"homo_regions": false, "leaves": 64, "merge_threshold": 3, "early_test": false, "layers_per_pass": 2,
+               "back_to_front": true, "gradient_volume": false},
       "classification": "preintegrated", "preintegration_bins": 512, "placement": "eye", "sampling": "footprint",
       "s_k": 0.5, "adaptive": true, "skipping": false, "filter": "bspline", "root_filter": "bc", "bc_b": 1,
       "bc_c": -0.25, "gradient": "filter", "max_peaks": 2, "clip_box": {"min": [-1, 0, 0.5], "max": [1, 2, 3]}, "peak_bins": 64,  "shading": "gradient", "early_termination": 0.001, "background": [0.1, 0.2, 0.3]},
@@ -61,6 +63,7 @@ TEST(ParsePreset, ReadsEveryField) {
   EXPECT_EQ(p.rendering.step, 0.25);
   EXPECT_EQ(p.rendering.classification, ClassificationMethod::preintegrated);
   EXPECT_EQ(p.rendering.preintegration_bins, 512);
+  EXPECT_EQ(p.rendering.vdls, (VdlsOptions{false, 64, 3, false, 2, true, false}));
   EXPECT_EQ(p.rendering.placement, Placement::eye);
   EXPECT_EQ(p.rendering.sampling, Sampling::footprint);
   EXPECT_EQ(p.rendering.s_k, 0.5);

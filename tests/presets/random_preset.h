@@ -54,6 +54,9 @@ inline Preset random_preset(std::mt19937& random) {
     rendering.sampling = Sampling::uniform;
     rendering.adaptive = false;
   }
+  if (random() % 2)
+    rendering.vdls = {bool(random() % 2),     1 << (random() % 9), int(random() % 100), bool(random() % 2),
+                      1 + int(random() % 64), bool(random() % 2),  bool(random() % 2)};
   rendering.filter = Filter(random() % 4);
   if (random() % 2) rendering.root_filter = Filter(random() % 4);
   rendering.bc_b = unit(random) * 2;

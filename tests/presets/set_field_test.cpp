@@ -64,6 +64,16 @@ TEST(SetField, MakesAClipBoxAndTakesItAway) {
   EXPECT_EQ(error_of(R"(rendering.clip_box={"min":[0,0,0]})"), "rendering.clip_box.max: is missing");
 }
 
+TEST(SetField, SetsHowVdlsWorks) {
+  const Preset preset = set_field(plain(), "rendering.vdls.layers_per_pass=2");
+  EXPECT_EQ(preset.rendering.vdls.layers_per_pass, 2);
+  EXPECT_EQ(set_field(preset, "rendering.vdls.leaves=64").rendering.vdls.layers_per_pass, 2);
+  EXPECT_EQ(error_of("rendering.vdls.leaves=48"),
+            "rendering.vdls.leaves: 48 is neither a power of two nor 0");
+  EXPECT_EQ(error_of("rendering.vdls.layers_per_pass=0"),
+            "rendering.vdls.layers_per_pass: 0 is not in [1, 64]");
+}
+
 TEST(SetField, ReplacesAllPoints) {
   const Preset preset = set_field(plain(), R"(transfer_function.points=[{"value": 5, "opacity": 1}])");
   ASSERT_EQ(preset.transfer_function.points.size(), 1u);
@@ -72,7 +82,7 @@ TEST(SetField, ReplacesAllPoints) {
 
 TEST(SetField, RefusesWhatIsNotThere) {
   EXPECT_EQ(error_of("rendering.stp=1"),
-            "rendering.stp: no field \"stp\"; rendering has: mode, peak_form, engine, classification, "
+            "rendering.stp: no field \"stp\"; rendering has: mode, peak_form, engine, vdls, classification, "
             "preintegration_bins, step, placement, sampling, s_k, adaptive, skipping, filter, root_filter, "
             "bc_b, bc_c, max_peaks, peak_bins, shading, gradient, illumination, early_termination, clip_box, "
             "background");

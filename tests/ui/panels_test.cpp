@@ -54,6 +54,7 @@ TEST_F(Panels, ThePeakTableTellsItsCells) {
 }
 
 TEST_F(Panels, RenderingFieldsKeepTheirRanges) {
+  ImGui::GetIO().DisplaySize = {1720, 1300};  // so that nothing has to be scrolled
   click("tab/Rendering");
   Rendering& rendering = document.preset.rendering;
   type("##step", "0.125");
@@ -73,6 +74,20 @@ TEST_F(Panels, RenderingFieldsKeepTheirRanges) {
   click("##mode");
   click("##mode/PEAK_XOR_DVR");
   EXPECT_EQ(rendering.mode, Mode::peak_xor_dvr);
+}
+
+TEST_F(Panels, TheEngineBringsItsOwnRows) {
+  click("tab/Rendering");
+  Rendering& rendering = document.preset.rendering;
+  EXPECT_FALSE(has("##layers per pass"));
+  click("##engine");
+  click("##engine/vdls");
+  EXPECT_EQ(rendering.engine, Engine::vdls);
+  frame();
+  type("##layers per pass", "100");
+  EXPECT_EQ(rendering.vdls.layers_per_pass, 64);
+  click("##early test");
+  EXPECT_FALSE(rendering.vdls.early_test);
 }
 
 // The pre-integration table holds one step length: what is chosen last prevails.
@@ -136,6 +151,7 @@ TEST_F(Panels, ThePlacementIsChosen) {
 }
 
 TEST_F(Panels, TheClipBoxIsMadeMovedAndTakenAway) {
+  ImGui::GetIO().DisplaySize = {1720, 1300};  // so that nothing has to be scrolled
   click("tab/Rendering");
   const std::optional<ClipBox>& clip = document.preset.rendering.clip_box;
   EXPECT_FALSE(has("##clip min x"));

@@ -35,9 +35,9 @@ class VdlsTest : public ::testing::Test {
     return target.read_color();
   }
   /// How far VDLS with these options is from the ray caster.
-  double difference(const Scene& scene, const Camera& camera, const VdlsOptions& options,
+  double difference(Scene scene, const Camera& camera, const VdlsOptions& options,
                     glm::ivec2 size = {40, 40}) {
-    renderer.vdls().set_options(options);
+    scene.rendering.vdls = options;
     return largest_difference(render(scene, camera, size, Engine::vdls),
                               render(scene, camera, size, Engine::raycaster));
   }

@@ -30,12 +30,12 @@ std::string text_of(const VdlsOptions& o) {
 
 // The samples are the ray caster's, so the picture is, too, whatever the speed-ups.
 TEST_F(Layers, EverySpeedUpGivesTheRayCastersPicture) {
-  const Scene scene = dvr_scene(builtin("sphere?n=24"), "smooth-haze");
+  Scene scene = dvr_scene(builtin("sphere?n=24"), "smooth-haze");
   const Camera camera = whole_volume_camera(scene.volume->grid);
   const Image expected = render(scene, camera, {40, 40}, Engine::raycaster);
   EXPECT_GT(expected.at(20, 20).a, 0.1f);
   for (const VdlsOptions& options : all_options()) {
-    renderer.vdls().set_options(options);
+    scene.rendering.vdls = options;
     EXPECT_LT(largest_difference(render(scene, camera, {40, 40}, Engine::vdls), expected), rounding)
         << text_of(options);
   }
@@ -93,9 +93,9 @@ TEST_F(Layers, Counts) {
   const Camera camera = whole_volume_camera(scene.volume->grid);
   scene.rendering.skipping = false;
   const auto expected = counts(scene, camera, {32, 32}, Engine::raycaster);
-  renderer.vdls().set_options(VdlsOptions::basic());
+  scene.rendering.vdls = VdlsOptions::basic();
   const auto all = counts(scene, camera, {32, 32}, Engine::vdls);
-  renderer.vdls().set_options({});
+  scene.rendering.vdls = {};
   scene.rendering.skipping = true;
   const auto leapt = counts(scene, camera, {32, 32}, Engine::vdls);
   for (std::size_t i = 0; i < expected.size(); ++i) {
