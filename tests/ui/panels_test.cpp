@@ -55,6 +55,7 @@ TEST_F(Panels, ThePeakTableTellsItsCells) {
 
 TEST_F(Panels, RenderingFieldsKeepTheirRanges) {
   ImGui::GetIO().DisplaySize = {1720, 1300};  // so that nothing has to be scrolled
+  frames(3);
   click("tab/Rendering");
   Rendering& rendering = document.preset.rendering;
   type("##step", "0.125");
@@ -152,6 +153,7 @@ TEST_F(Panels, ThePlacementIsChosen) {
 
 TEST_F(Panels, TheClipBoxIsMadeMovedAndTakenAway) {
   ImGui::GetIO().DisplaySize = {1720, 1300};  // so that nothing has to be scrolled
+  frames(3);
   click("tab/Rendering");
   const std::optional<ClipBox>& clip = document.preset.rendering.clip_box;
   EXPECT_FALSE(has("##clip min x"));
