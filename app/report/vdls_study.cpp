@@ -154,7 +154,7 @@ VdlsSeries study_layers(Lab& lab, const VdlsScene& scene) {
   VdlsSeries series{
       "layers", "Section 4.3: layers that a pass takes, of " + scene.title, "layers a pass", {}, {}};
   Points points;
-  for (const int layers : {1, 2, 4, 8, 16}) {
+  for (const int layers : {1, 2, 4, 8, 16, 32}) {
     VdlsOptions early, late, backwards;
     early.layers_per_pass = late.layers_per_pass = backwards.layers_per_pass = layers;
     late.early_test = false;
