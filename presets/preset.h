@@ -49,8 +49,8 @@ struct VdlsOptions {
   bool homo_regions = true;  ///< leap over what the TF makes transparent (section 4.1)
   int leaves = 32;  ///< the screen quadtree begins with leaves x leaves squares (4.2): a power of two to 256;
                     ///< 0 = no quadtree, the projected box is drawn
-  int merge_threshold = 8;  ///< brothers whose sample counts differ by no more become one node
-  bool early_test = true;   ///< rays that are out of the volume are left alone (4.3)
+  int merge_threshold = 8;   ///< brothers whose sample counts differ by no more become one node
+  bool early_test = true;    ///< rays that are out of the volume are left alone (4.3)
   int layers_per_pass = 16;  ///< samples that a pass takes of each ray (4.3), 1..64; the paper's card: 2
   bool back_to_front = false;
   bool gradient_volume = true;  ///< shading takes precomputed gradients (3.3); else those of the ray caster
