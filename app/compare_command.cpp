@@ -1,7 +1,6 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/compare.h"
@@ -10,6 +9,7 @@
 #include "app/offscreen_context.h"
 #include "app/picture.h"
 #include "app/scene_options.h"
+#include "presets/json.h"
 #include "presets/names.h"
 #include "render/volume/load.h"
 #include "ui/studio.h"
@@ -102,13 +102,13 @@ void compare_modes(const CompareOptions& options) {
   fmt::print("{}\n", json.dump(2));
 }
 
-void add_compare_command(CLI::App& app, Action& chosen) {
+void add_compare_command(Options app, Action& chosen) {
   auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand("compare", "Render the four modes side by side, labelled");
-  command->add_option("VOLUME", options->scene.volume, "What to render (crest --help)")->required();
-  options->scene.add_to(*command);
-  options->picture.add_to(*command);
-  command->callback([options, &chosen] { chosen = [options] { compare_modes(*options); }; });
+  Options command = app.add_command("compare", "Render the four modes side by side, labelled");
+  command.add("VOLUME", options->scene.volume, "What to render (crest --help)").required();
+  options->scene.add_to(command);
+  options->picture.add_to(command);
+  command.when_read([options, &chosen] { chosen = [options] { compare_modes(*options); }; });
 }
 
 }  // namespace crest

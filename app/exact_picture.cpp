@@ -1,16 +1,16 @@
 #include "app/exact_picture.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "app/cache_folder.h"
 #include "app/picture.h"
 #include "app/progress.h"
 #include "presets/error.h"
+#include "presets/json.h"
 #include "presets/names.h"
 #include "render/classify/classification.h"
 #include "render/raycaster/limits.h"

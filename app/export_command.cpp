@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "app/commands.h"
 #include "presets/atomic_file.h"
@@ -32,17 +32,17 @@ void export_preset(const ExportCommandOptions& options) {
 
 }  // namespace
 
-void add_export_command(CLI::App& app, Action& chosen) {
+void add_export_command(Options app, Action& chosen) {
   auto options = std::make_shared<ExportCommandOptions>();
-  CLI::App* command = app.add_subcommand("export", "Write a preset for another program");
+  Options command = app.add_command("export", "Write a preset for another program");
   std::string formats;
   for (const Exporter& exporter : exporters())
     formats += fmt::format("\n{}: {}", exporter.name, exporter.summary);
-  command->add_option("PRESET", options->preset, "A preset's file, or its name in the library")->required();
-  command->add_option("--to", options->format, "Format:" + formats)
-      ->required()
-      ->type_name("FORMAT")
-      ->check([](const std::string& name) {
+  command.add("PRESET", options->preset, "A preset's file, or its name in the library").required();
+  command.add("--to", options->format, "Format:" + formats)
+      .required()
+      .type_name("FORMAT")
+      .check([](const std::string& name) {
         try {
           find_exporter(name);
           return std::string();
@@ -50,13 +50,13 @@ void add_export_command(CLI::App& app, Action& chosen) {
           return std::string(error.what());
         }
       });
-  command->add_option("-o,--output", options->output, "The file to write")->required()->type_name("FILE");
-  command->add_option("--volume", options->volume,
+  command.add("-o,--output", options->output, "The file to write").required().type_name("FILE");
+  command.add("--volume", options->volume,
                       "Write a normalized preset in this volume's values and units");
-  command->add_option("--samples", options->format_options.samples, "Rows of a sampled format")
-      ->check(CLI::Range(2, 1048576))
-      ->capture_default_str();
-  command->callback([options, &chosen] { chosen = [options] { export_preset(*options); }; });
+  command.add("--samples", options->format_options.samples, "Rows of a sampled format")
+      .in(2, 1048576)
+      .shows_default();
+  command.when_read([options, &chosen] { chosen = [options] { export_preset(*options); }; });
 }
 
 }  // namespace crest

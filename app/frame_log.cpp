@@ -1,8 +1,8 @@
 #include "app/frame_log.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "presets/json.h"
 #include "presets/names.h"
 
 namespace crest {

@@ -1,8 +1,8 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "presets/json.h"
 #include "presets/json_text.h"
 #include "render/volume/load.h"
 
@@ -34,20 +34,20 @@ void print_info(const std::string& source, int bins) {
 
 }  // namespace
 
-void add_info_command(CLI::App& app, Action& chosen) {
-  struct Options {
+void add_info_command(Options app, Action& chosen) {
+  struct InfoOptions {
     std::string volume;
     int bins = 32;
     bool json = true;
   };
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("info", "Print what a volume holds, as JSON");
-  command->add_option("VOLUME", options->volume, "What to read (crest --help)")->required();
-  command->add_option("--bins", options->bins, "Bins of the histogram")
-      ->check(CLI::Range(1, 65536))
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "JSON is the only form there is");
-  command->callback(
+  auto options = std::make_shared<InfoOptions>();
+  Options command = app.add_command("info", "Print what a volume holds, as JSON");
+  command.add("VOLUME", options->volume, "What to read (crest --help)").required();
+  command.add("--bins", options->bins, "Bins of the histogram")
+      .in(1, 65536)
+      .shows_default();
+  command.add_flag("--json", options->json, "JSON is the only form there is");
+  command.when_read(
       [options, &chosen] { chosen = [options] { print_info(options->volume, options->bins); }; });
 }
 

@@ -1,6 +1,6 @@
 #include "app/layout_file.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "presets/atomic_file.h"
 #include "ui/studio_state.h"

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "app/commands.h"
 #include "app/offscreen_context.h"
@@ -48,14 +48,14 @@ void list_presets() {
 
 }  // namespace
 
-void add_list_command(CLI::App& app, Action& chosen) {
+void add_list_command(Options app, Action& chosen) {
   auto what = std::make_shared<std::string>();
-  CLI::App* command =
-      app.add_subcommand("list", "List what there is: volumes, formats, methods, presets or devices");
-  command->add_option("WHAT", *what, "What to list")
-      ->required()
-      ->check(CLI::IsMember({"volumes", "formats", "methods", "presets", "devices"}));
-  command->callback([what, &chosen] {
+  Options command =
+      app.add_command("list", "List what there is: volumes, formats, methods, presets or devices");
+  command.add("WHAT", *what, "What to list")
+      .required()
+      .one_of({"volumes", "formats", "methods", "presets", "devices"});
+  command.when_read([what, &chosen] {
     chosen = [what] {
       if (*what == "volumes") list_volumes();
       if (*what == "formats") list_formats();

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "presets/json.h"
 #include "presets/preset_file.h"
 #include "render/classify/classification.h"
 #include "render/classify/peak_table.h"
@@ -75,16 +75,16 @@ void print_peaks(const PeaksOptions& options) {
 
 }  // namespace
 
-void add_peaks_command(CLI::App& app, Action& chosen) {
+void add_peaks_command(Options app, Action& chosen) {
   auto options = std::make_shared<PeaksOptions>();
-  CLI::App* command = app.add_subcommand("peaks", "Print a preset's peaks and its peak table, as JSON");
-  command->add_option("PRESET", options->preset, "A preset's file, or its name in the library")->required();
-  command->add_option("--volume", options->volume,
+  Options command = app.add_command("peaks", "Print a preset's peaks and its peak table, as JSON");
+  command.add("PRESET", options->preset, "A preset's file, or its name in the library").required();
+  command.add("--volume", options->volume,
                       "Values and range of this volume; without it the TF's own points");
-  command->add_option("--bins", options->bins, "Bins of the table; without it as the preset says")
-      ->check(CLI::Range(1, 4096));
-  command->add_flag("--json", options->json, "JSON is the only form there is");
-  command->callback([options, &chosen] { chosen = [options] { print_peaks(*options); }; });
+  command.add("--bins", options->bins, "Bins of the table; without it as the preset says")
+      .in(1, 4096);
+  command.add_flag("--json", options->json, "JSON is the only form there is");
+  command.when_read([options, &chosen] { chosen = [options] { print_peaks(*options); }; });
 }
 
 }  // namespace crest

@@ -1,10 +1,10 @@
 #include "app/picture.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "presets/json.h"
 #include "presets/names.h"
 #include "render/measure/timing.h"
 #include "render/raycaster/limits.h"

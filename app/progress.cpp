@@ -1,6 +1,6 @@
 #include "app/progress.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <semaphore.h>
 #include <unistd.h>
 

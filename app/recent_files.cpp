@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "presets/atomic_file.h"
 #include "presets/error.h"
+#include "presets/json.h"
 
 namespace crest {
 namespace {

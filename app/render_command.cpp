@@ -1,12 +1,12 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/exact_picture.h"
 #include "app/offscreen_context.h"
 #include "app/picture.h"
 #include "app/scene_options.h"
+#include "presets/json.h"
 #include "render/volume/load.h"
 
 namespace crest {
@@ -49,13 +49,13 @@ void render_picture(const RenderOptions& options) {
 
 }  // namespace
 
-void add_render_command(CLI::App& app, Action& chosen) {
+void add_render_command(Options app, Action& chosen) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = app.add_subcommand("render", "Render one picture");
-  command->add_option("VOLUME", options->scene.volume, "What to render (crest --help)")->required();
-  options->scene.add_to(*command);
-  options->picture.add_to(*command);
-  command->callback([options, &chosen] { chosen = [options] { render_picture(*options); }; });
+  Options command = app.add_command("render", "Render one picture");
+  command.add("VOLUME", options->scene.volume, "What to render (crest --help)").required();
+  options->scene.add_to(command);
+  options->picture.add_to(command);
+  command.when_read([options, &chosen] { chosen = [options] { render_picture(*options); }; });
 }
 
 }  // namespace crest

@@ -1,6 +1,6 @@
 #include "app/scene_options.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -25,29 +25,29 @@ Preset with_field(const Preset& preset, const char* option, const std::string& a
   try {
     return set_field(preset, assignment);
   } catch (const Error& error) {
-    throw CLI::ValidationError(option, error.what());
+    throw UsageError(option, error.what());
   }
 }
 
 }  // namespace
 
-void SceneOptions::add_to(CLI::App& app) {
-  app.add_option("--preset", preset, "A preset's file, or its name in the library (crest list presets)")
-      ->type_name("FILE");
-  app.add_option("--mode", mode, "What a ray collects: " + name_list<Mode>())->type_name("MODE");
-  app.add_option("--engine", engine, "What renders: " + name_list<Engine>())->type_name("ENGINE");
-  app.add_option("--illumination", illumination,
+void SceneOptions::add_to(Options options) {
+  options.add("--preset", preset, "A preset's file, or its name in the library (crest list presets)")
+      .type_name("FILE");
+  options.add("--mode", mode, "What a ray collects: " + name_list<Mode>()).type_name("MODE");
+  options.add("--engine", engine, "What renders: " + name_list<Engine>()).type_name("ENGINE");
+  options.add("--illumination", illumination,
                  "What a sample contributes to its ray: " + name_list<Illumination>())
-      ->type_name("NAME");
-  app.add_option("--step", step, "Step length, in units of the smallest spacing")->type_name("STEP");
-  app.add_option("--eye", eye, "Camera: where the eye is (world units)")->type_name("X,Y,Z");
-  app.add_option("--target", target, "Camera: what it looks at")->type_name("X,Y,Z");
-  app.add_option("--up", up, "Camera: what is up")->type_name("X,Y,Z");
-  app.add_option("--fov", fov, "Camera: vertical field of view in degrees")->type_name("DEG");
-  app.add_option("--set", sets, "Sets any field of the preset by its JSON path: --set rendering.step=0.5")
-      ->type_name("PATH=VALUE")
-      ->allow_extra_args(false);  // one value each: what follows is VOLUME
-  app.add_flag("--fit-range", fit_range, "Map the transfer function's span onto the volume's range");
+      .type_name("NAME");
+  options.add("--step", step, "Step length, in units of the smallest spacing").type_name("STEP");
+  options.add("--eye", eye, "Camera: where the eye is (world units)").type_name("X,Y,Z");
+  options.add("--target", target, "Camera: what it looks at").type_name("X,Y,Z");
+  options.add("--up", up, "Camera: what is up").type_name("X,Y,Z");
+  options.add("--fov", fov, "Camera: vertical field of view in degrees").type_name("DEG");
+  options.add("--set", sets, "Sets any field of the preset by its JSON path: --set rendering.step=0.5")
+      .type_name("PATH=VALUE")
+      .one_value_each();  // one value each: what follows is VOLUME
+  options.add_flag("--fit-range", fit_range, "Map the transfer function's span onto the volume's range");
 }
 
 bool SceneOptions::has_any() const {
@@ -72,7 +72,7 @@ Preset SceneOptions::read_preset(const Volume& loaded) const {
   set_if("--illumination", illumination, "rendering.illumination=" + illumination);
   set_if("--step", step, "rendering.step=" + step);
   if (const std::string why_not = why_inconsistent(result.rendering); !why_not.empty())
-    throw CLI::ValidationError("--set", why_not);
+    throw UsageError("--set", why_not);
   if (!eye.empty() || !target.empty() || !up.empty() || !fov.empty()) {
     const bool is_fitted = !result.camera && eye.empty() && target.empty();
     if (!result.camera) result.camera = whole_volume_camera(loaded.grid);
@@ -88,30 +88,28 @@ Preset SceneOptions::read_preset(const Volume& loaded) const {
   return result;
 }
 
-void PictureOptions::add_to(CLI::App& app) {
-  app.add_option("-o,--output", output,
+void PictureOptions::add_to(Options options) {
+  options.add("-o,--output", output,
                  "The picture: .png (8 bit over the background) or .exr (32-bit float)")
-      ->required()
-      ->type_name("FILE");
-  app.add_option("--size", size, "Width x height in pixels")->capture_default_str()->type_name("WxH");
-  app.add_option("--frames", frames, "Frames to time; the statistics have their median")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  app.add_option("--device", device, "Graphics device (crest list devices); hardware first by default");
-  app.add_flag("--json", json, "Print statistics as JSON");
+      .required()
+      .type_name("FILE");
+  options.add("--size", size, "Width x height in pixels").shows_default().type_name("WxH");
+  options.add("--frames", frames, "Frames to time; the statistics have their median")
+      .in(1, 100000)
+      .shows_default();
+  options.add("--device", device, "Graphics device (crest list devices); hardware first by default");
+  options.add_flag("--json", json, "Print statistics as JSON");
 }
 
 glm::ivec2 pixels_of(const std::string& size) {
   std::smatch match;
   static const std::regex form(R"(([1-9]\d{0,5})x([1-9]\d{0,5}))");
   if (!std::regex_match(size, match, form))
-    throw CLI::ValidationError("--size", fmt::format("'{}' is not WIDTHxHEIGHT, as in 512x512", size));
+    throw UsageError("--size", fmt::format("'{}' is not WIDTHxHEIGHT, as in 512x512", size));
   const glm::ivec2 pixels(std::stoi(match[1]), std::stoi(match[2]));
   gl::require_size(pixels);
   return pixels;
 }
-
-std::string some_text(const std::string& text) { return text.empty() ? "it is empty" : ""; }
 
 Camera camera_of(const Preset& preset, const Volume& volume) {
   return preset.camera ? *preset.camera : whole_volume_camera(volume.grid);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/options.h"
 #include "render/scene.h"
 
 namespace crest {
@@ -18,7 +18,7 @@ struct SceneOptions {
   std::vector<std::string> sets;                                       ///< PATH=VALUE
   bool fit_range = false;
 
-  void add_to(CLI::App& app);
+  void add_to(Options options);
   bool has_any() const;  ///< whether anything but the volume was said
 
   /// The preset with all that was said on the command line for this volume; without --preset, one with the
@@ -26,12 +26,9 @@ struct SceneOptions {
   Preset read_preset(const Volume& loaded) const;
 };
 
-/// The WIDTHxHEIGHT of --size. Throws CLI::ValidationError for another text, Error for a picture that is too
+/// The WIDTHxHEIGHT of --size. Throws UsageError for another text, Error for a picture that is too
 /// large.
 glm::ivec2 pixels_of(const std::string& size);
-
-/// For an option that must not be empty.
-std::string some_text(const std::string& text);
 
 /// The options of a picture.
 struct PictureOptions {
@@ -39,7 +36,7 @@ struct PictureOptions {
   int device = -1, frames = 1;
   bool json = false;
 
-  void add_to(CLI::App& app);
+  void add_to(Options options);
   /// Throws as pixels_of().
   glm::ivec2 pixels() const { return pixels_of(size); }
 };

@@ -1,7 +1,6 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/commands.h"
@@ -11,6 +10,7 @@
 #include "app/scene_options.h"
 #include "app/stability_files.h"
 #include "presets/error.h"
+#include "presets/json.h"
 #include "render/reference/reference.h"
 #include "render/stability/table.h"
 
@@ -50,7 +50,7 @@ std::vector<Row> measure_rows(Raycaster& raycaster, glm::ivec2 size, std::stop_t
 glm::ivec2 square_pixels(const std::string& text) {
   const glm::ivec2 size = pixels_of(text);
   if (size.x != size.y || size.x < stability::least_side)
-    throw CLI::ValidationError("--size", fmt::format("'{}' is not a square of at least {}x{}", text,
+    throw UsageError("--size", fmt::format("'{}' is not a square of at least {}x{}", text,
                                                      stability::least_side, stability::least_side));
   return size;
 }
@@ -75,20 +75,20 @@ void run_stability(const StabilityOptions& options) {
 
 }  // namespace
 
-void add_stability_command(CLI::App& app, Action& chosen) {
+void add_stability_command(Options app, Action& chosen) {
   auto options = std::make_shared<StabilityOptions>();
-  CLI::App* command =
-      app.add_subcommand("stability", "Stiff and extreme cases: what is kept, and what is not");
-  command->add_option("-o,--output", options->output, "The folder for stability.json and stability.html")
-      ->check(some_text)
-      ->type_name("DIR");
-  command->add_option("--size", options->size, "Width x height of its pictures, which are square")
-      ->capture_default_str()
-      ->type_name("WxH");
-  command->add_option("--device", options->device,
+  Options command =
+      app.add_command("stability", "Stiff and extreme cases: what is kept, and what is not");
+  command.add("-o,--output", options->output, "The folder for stability.json and stability.html")
+      .not_empty()
+      .type_name("DIR");
+  command.add("--size", options->size, "Width x height of its pictures, which are square")
+      .shows_default()
+      .type_name("WxH");
+  command.add("--device", options->device,
                       "Graphics device (crest list devices); hardware first by default");
-  command->add_flag("--json", options->json, "Print the table as JSON");
-  command->callback([options, &chosen] { chosen = [options] { run_stability(*options); }; });
+  command.add_flag("--json", options->json, "Print the table as JSON");
+  command.when_read([options, &chosen] { chosen = [options] { run_stability(*options); }; });
 }
 
 }  // namespace crest

@@ -1,9 +1,9 @@
 #include "app/stability_files.h"
 
-#include <nlohmann/json.hpp>
 
 #include "app/report/page.h"
 #include "presets/atomic_file.h"
+#include "presets/json.h"
 
 namespace crest {
 

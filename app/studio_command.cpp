@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <thread>
 
@@ -82,7 +82,7 @@ void run_window(const StudioOptions& options) {
 void expect_volume(const std::string& source) {
   const std::string file = source.substr(0, source.find('?'));
   if (source.find_first_of("./:?") == source.npos && !std::filesystem::exists(file))
-    throw CLI::ValidationError("VOLUME",
+    throw UsageError("VOLUME",
                                fmt::format("'{}' is neither a command nor a file or folder", source));
 }
 
@@ -102,21 +102,21 @@ void run_without_display(StudioOptions options) {
 
 }  // namespace
 
-void add_studio(CLI::App& app, Action& chosen) {
+void add_studio(Options app, Action& chosen) {
   auto options = std::make_shared<StudioOptions>();
-  app.add_option("VOLUME", options->scene.volume, "What to open in the studio window");
+  app.add("VOLUME", options->scene.volume, "What to open in the studio window");
   options->scene.add_to(app);
-  app.add_option("--shaders", options->shader_folder,
+  app.add("--shaders", options->shader_folder,
                  "Read the shaders from this folder; F5 reads them again")
-      ->check(CLI::ExistingDirectory);
-  app.add_option("--log-frames", options->frame_log,
+      .existing_folder();
+  app.add("--log-frames", options->frame_log,
                  "On quitting, write frame times and edit-to-view times here")
-      ->type_name("FILE");
-  app.add_option("--log-layout", options->layout_file,
+      .type_name("FILE");
+  app.add("--log-layout", options->layout_file,
                  "Write where the widgets are, for scripts that drive the window")
-      ->type_name("FILE");
-  app.callback([options, &chosen, &app] {
-    if (!app.get_subcommands().empty()) return;
+      .type_name("FILE");
+  app.when_read([options, &chosen, app] {
+    if (app.has_command()) return;
     if (!options->scene.volume.empty()) expect_volume(options->scene.volume);
     chosen = [options] { has_display() ? run_window(*options) : run_without_display(*options); };
   });

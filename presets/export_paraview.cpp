@@ -1,14 +1,14 @@
 // ParaView's colour-map JSON, as "Export preset" writes it and Choose Preset > Import reads it
 // (Kitware/ParaView: Remoting/Views/ColorMaps.json, vtkSMTransferFunctionPresets.cxx).
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "presets/error.h"
 #include "presets/export_formats.h"
+#include "presets/json.h"
 
 namespace crest {
 namespace {

@@ -1,6 +1,6 @@
 #include "presets/exporters.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

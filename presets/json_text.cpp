@@ -1,13 +1,13 @@
 #include "presets/json_text.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
 
 #include "presets/error.h"
+#include "presets/json.h"
 
 namespace crest {
 namespace {

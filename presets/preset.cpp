@@ -1,6 +1,6 @@
 #include "presets/preset.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "presets/names.h"
 

@@ -1,13 +1,13 @@
 #include "presets/preset_file.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "preset_library_embedded.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
+#include "presets/json.h"
 #include "presets/preset_json.h"
 
 namespace crest {

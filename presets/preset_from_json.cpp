@@ -1,13 +1,13 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "presets/error.h"
 #include "presets/fields.h"
+#include "presets/json.h"
 #include "presets/names.h"
 #include "presets/preset_json.h"
 

@@ -1,7 +1,7 @@
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "presets/fields.h"
+#include "presets/json.h"
 #include "presets/names.h"
 #include "presets/preset_json.h"
 

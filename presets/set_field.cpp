@@ -1,9 +1,9 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <charconv>
-#include <nlohmann/json.hpp>
 
 #include "presets/error.h"
+#include "presets/json.h"
 #include "presets/preset_file.h"
 #include "presets/preset_json.h"
 

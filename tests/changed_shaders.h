@@ -8,6 +8,7 @@
 #include <string>
 
 #include "presets/atomic_file.h"
+#include "tests/paths.h"
 
 namespace crest {
 
@@ -15,7 +16,7 @@ namespace crest {
 class ChangedShaders {
  public:
   ChangedShaders(const std::string& file, const std::string& text, const std::string& other) {
-    std::filesystem::copy(std::filesystem::path(CREST_SOURCE_DIR) / "render/shaders", folder_);
+    std::filesystem::copy(test::source_folder() / "render/shaders", folder_);
     std::string all = read_file(folder_ / file, 1 << 20);
     const std::size_t at = all.find(text);
     if (at == all.npos) throw std::runtime_error(file + " has no \"" + text + "\"");

@@ -1,6 +1,6 @@
 #include "ui/file_dialog.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>

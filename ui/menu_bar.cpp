@@ -1,6 +1,6 @@
 #include "ui/menu_bar.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <utility>
 

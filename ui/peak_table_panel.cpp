@@ -1,6 +1,6 @@
 #include "ui/peak_table_panel.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

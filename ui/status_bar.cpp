@@ -1,6 +1,6 @@
 #include "ui/status_bar.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "ui/style.h"
 

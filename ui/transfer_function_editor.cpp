@@ -1,6 +1,6 @@
 #include "ui/transfer_function_editor.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "ui/widgets.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>

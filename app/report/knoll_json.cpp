@@ -1,10 +1,10 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/report/knoll_study.h"
 #include "app/report/report_pictures.h"
+#include "presets/json.h"
 #include "presets/preset_json.h"
 #include "render/studies/knoll_variants.h"
 

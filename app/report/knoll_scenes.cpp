@@ -1,6 +1,6 @@
 #include "app/report/knoll_scenes.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,9 +1,8 @@
 #include "app/report/knoll_study.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 
 #include "app/cache_folder.h"
 #include "app/offscreen_context.h"
@@ -12,6 +11,7 @@
 #include "app/report/report_pictures.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
+#include "presets/json.h"
 #include "presets/preset_file.h"
 #include "render/studies/knoll_variants.h"
 

@@ -1,15 +1,16 @@
 #include "app/report/page.h"
 
-#include <OpenImageIO/strutil.h>
 #include <fmt/chrono.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <chrono>
-#include <nlohmann/json.hpp>
 
 #include "presets/atomic_file.h"
 #include "presets/error.h"
+#include "presets/json.h"
 #include "web_files_embedded.h"
 
 namespace crest {
@@ -31,9 +32,16 @@ std::string script_text(const Json& data) {
   return text;
 }
 
-std::string address_of(std::string_view png) {
-  return "data:image/png;base64," + OIIO::Strutil::base64_encode(png);
+std::string base64(std::string bytes) {
+  using namespace boost::archive::iterators;
+  using Digits = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+  const std::size_t padding = (3 - bytes.size() % 3) % 3;
+  bytes.append(padding, '\0');
+  std::string text(Digits(bytes.cbegin()), Digits(bytes.cend()));
+  return text.replace(text.size() - padding, padding, padding, '=');
 }
+
+std::string address_of(std::string png) { return "data:image/png;base64," + base64(std::move(png)); }
 
 }  // namespace
 

@@ -1,10 +1,10 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/report/placement_study.h"
 #include "app/report/report_pictures.h"
+#include "presets/json.h"
 #include "presets/names.h"
 #include "presets/preset_json.h"
 

@@ -1,8 +1,7 @@
 #include "app/report/placement_study.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
 
 #include "app/offscreen_context.h"
 #include "app/output_folder.h"
@@ -11,6 +10,7 @@
 #include "app/report/report_pictures.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
+#include "presets/json.h"
 #include "presets/names.h"
 #include "render/volume/load.h"
 

@@ -1,7 +1,6 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "app/commands.h"
@@ -14,6 +13,7 @@
 #include "app/report/studies.h"
 #include "app/scene_options.h"
 #include "presets/error.h"
+#include "presets/json.h"
 #include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/volume/load.h"
@@ -36,7 +36,7 @@ std::optional<double> budget_seconds(const std::string& text) {
   std::smatch match;
   static const std::regex form(R"((\d{1,9}(?:\.\d{1,9})?)(s|m|h)?)");
   if (!std::regex_match(text, match, form) || std::stod(match[1]) <= 0)
-    throw CLI::ValidationError("--budget",
+    throw UsageError("--budget",
                                fmt::format("'{}' is not a time, as in 90s, 2m or 1h, nor 'none'", text));
   const double unit = match[2] == "h" ? 3600 : match[2] == "m" ? 60 : 1;
   return unit * std::stod(match[1]);
@@ -46,7 +46,7 @@ TargetError target_error(const std::string& text) {
   try {
     return parse_target(text);
   } catch (const Error& error) {
-    throw CLI::ValidationError("--target-error", error.what());
+    throw UsageError("--target-error", error.what());
   }
 }
 
@@ -56,27 +56,8 @@ const Study& find_study(const std::string& name) {
     if (study.name == name) return study;
     names += (names.empty() ? "" : ", ") + std::string(study.name);
   }
-  throw CLI::ValidationError("--study", fmt::format("'{}' is not a study; there {}", name,
+  throw UsageError("--study", fmt::format("'{}' is not a study; there {}", name,
                                                     names.empty() ? "is none yet" : "is: " + names));
-}
-
-/// In quotes where a shell would read it otherwise.
-std::string shell_word(const std::string& text) {
-  static const std::regex plain(R"([\w./:,=+-]+)");
-  if (std::regex_match(text, plain)) return text;
-  return fmt::format("'{}'", std::regex_replace(text, std::regex("'"), R"('\'')"));
-}
-
-/// What was typed, from what was understood.
-std::string command_text(const CLI::App& command) {
-  std::string text = "crest " + command.get_name();
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& value : option->results()) {
-      if (!option->get_positional()) text += fmt::format(" {}", option->get_name());
-      if (option->get_items_expected_max() > 0) text += fmt::format(" {}", shell_word(value));
-    }
-  }
-  return text;
 }
 
 /// The command that renders what the report is of, with these settings. `written` are those that it would
@@ -177,23 +158,23 @@ void run_report(const ReportOptions& options) {
     run_study(options, interrupt.token());
 }
 
-/// Throws CLI::ParseError where one is wrong, or has no part in what is asked for.
+/// Throws UsageError where one is wrong, or has no part in what is asked for.
 void check_options(const ReportOptions& options) {
   budget_seconds(options.budget);
   target_error(options.target);
   if (options.study.empty()) {
-    if (options.scene.volume.empty()) throw CLI::RequiredError("VOLUME, or --study");
+    if (options.scene.volume.empty()) throw UsageError("VOLUME, or --study", "one of them is required");
     return;
   }
   const Study& study = find_study(options.study);
   if (!options.scene.volume.empty() && !study.takes_volume)
-    throw CLI::ValidationError("--study",
+    throw UsageError("--study",
                                fmt::format("{} has scenes of its own: without VOLUME", study.name));
   if (options.budget_is_given && !study.takes_budget)
-    throw CLI::ValidationError(
+    throw UsageError(
         "--budget", fmt::format("--study {} takes the time that it needs: without --budget", study.name));
   if (options.scene.volume.empty() && options.scene.has_any())
-    throw CLI::ValidationError(
+    throw UsageError(
         "--study",
         fmt::format("without VOLUME, {} has scenes of its own: no preset, mode or camera", study.name));
 }
@@ -206,44 +187,41 @@ std::string study_help() {
 
 }  // namespace
 
-void add_report_command(CLI::App& app, Action& chosen) {
+void add_report_command(Options app, Action& chosen) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand("report", "Measure error against run time, and write a report");
-  command->add_option("VOLUME", options->scene.volume, "What to render (crest --help)");
-  options->scene.add_to(*command);
-  command->add_option("-o,--output", options->output, "The folder of the report")
-      ->required()
-      ->check(some_text)
-      ->type_name("DIR");
-  command->add_option("--size", options->size, "Width x height in pixels")
-      ->capture_default_str()
-      ->type_name("WxH");
-  CLI::Option* study = command->add_option("--study", options->study, study_help())->type_name("NAME");
-  command
-      ->add_option("--budget", options->budget,
+  Options command = app.add_command("report", "Measure error against run time, and write a report");
+  command.add("VOLUME", options->scene.volume, "What to render (crest --help)");
+  options->scene.add_to(command);
+  command.add("-o,--output", options->output, "The folder of the report")
+      .required()
+      .not_empty()
+      .type_name("DIR");
+  command.add("--size", options->size, "Width x height in pixels")
+      .shows_default()
+      .type_name("WxH");
+  const Option study = command.add("--study", options->study, study_help()).type_name("NAME");
+  command.add("--budget", options->budget,
                    "Time for all of it: 90s, 2m, 1h, or none; of a study that takes one, none by default")
-      ->capture_default_str()
-      ->type_name("TIME");
-  command
-      ->add_option("--target-error", options->target,
+      .shows_default()
+      .type_name("TIME");
+  command.add("--target-error", options->target,
                    "The error that the recommended setting keeps under: share, rmse, max, p999, flip, missed "
                    "or invented")
-      ->capture_default_str()
-      ->type_name("LIMIT")
-      ->excludes(study);
-  command
-      ->add_option("--data", options->data_folder,
+      .shows_default()
+      .type_name("LIMIT")
+      .excludes(study);
+  command.add("--data", options->data_folder,
                    "A folder of real volumes, for studies that use those of them that are there")
-      ->envname("CREST_DATA")
-      ->type_name("DIR");
-  command->add_option("--device", options->device,
+      .or_environment("CREST_DATA")
+      .type_name("DIR");
+  command.add("--device", options->device,
                       "Graphics device (crest list devices); hardware first by default");
-  command->add_flag("--json", options->json, "Print report.json, too");
-  command->callback([options, command, &chosen] {
-    options->size_is_given = command->count("--size") > 0;
-    options->budget_is_given = command->count("--budget") > 0;
+  command.add_flag("--json", options->json, "Print report.json, too");
+  command.when_read([options, command, &chosen] {
+    options->size_is_given = command.is_given("--size");
+    options->budget_is_given = command.is_given("--budget");
     check_options(*options);
-    options->command = command_text(*command);
+    options->command = command.text();
     chosen = [options] { run_report(*options); };
   });
 }

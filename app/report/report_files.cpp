@@ -1,14 +1,14 @@
 #include "app/report/report_files.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
 
 #include "app/output_folder.h"
 #include "app/report/page.h"
 #include "app/report/report_json.h"
 #include "app/report/report_pictures.h"
 #include "presets/atomic_file.h"
+#include "presets/json.h"
 
 namespace crest {
 

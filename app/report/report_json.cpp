@@ -1,12 +1,12 @@
 #include "app/report/report_json.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/report/report_pictures.h"
+#include "presets/json.h"
 #include "presets/names.h"
 #include "presets/preset_json.h"
 #include "render/measure/flip.h"

@@ -1,12 +1,13 @@
 #include "app/report/report_pictures.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
-#include <nlohmann/json.hpp>
+
+#include "presets/json.h"
 
 namespace crest {
 namespace {

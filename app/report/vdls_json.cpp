@@ -1,10 +1,10 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/report/report_pictures.h"
 #include "app/report/vdls_study.h"
+#include "presets/json.h"
 
 namespace crest {
 namespace {

@@ -1,9 +1,8 @@
 #include "app/report/vdls_study.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "app/offscreen_context.h"
 #include "app/output_folder.h"
@@ -11,6 +10,7 @@
 #include "app/report/report_pictures.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
+#include "presets/json.h"
 #include "presets/names.h"
 #include "render/camera.h"
 #include "render/volume/builtin.h"

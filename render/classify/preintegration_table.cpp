@@ -1,6 +1,6 @@
 #include "render/classify/preintegration_table.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

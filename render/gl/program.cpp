@@ -1,6 +1,6 @@
 #include "render/gl/program.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "presets/error.h"
 #include "render/gl/shader_source.h"

@@ -1,6 +1,6 @@
 #include "render/gl/render_target.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "presets/error.h"
 

@@ -1,6 +1,6 @@
 #include "render/gl/shader_source.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdio>

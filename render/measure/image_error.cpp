@@ -1,6 +1,6 @@
 #include "render/measure/image_error.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>

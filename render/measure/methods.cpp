@@ -1,6 +1,6 @@
 #include "render/measure/methods.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

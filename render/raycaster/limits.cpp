@@ -1,6 +1,6 @@
 #include "render/raycaster/limits.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

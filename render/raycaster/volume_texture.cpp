@@ -1,6 +1,6 @@
 #include "render/raycaster/volume_texture.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

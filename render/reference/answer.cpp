@@ -1,6 +1,6 @@
 #include "render/reference/answer.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "presets/names.h"
 

@@ -1,7 +1,7 @@
 #include "render/reference/cache.h"
 
-#include <OpenImageIO/hash.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <cstring>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr int algorithm_version = 3;
 constexpr const char* extension = ".reference";
 
-std::uint64_t hash_of(const void* bytes, std::size_t size) { return OIIO::xxhash::XXH64(bytes, size, 0); }
+std::uint64_t hash_of(const void* bytes, std::size_t size) { return XXH64(bytes, size, 0); }
 
 /// All that the picture depends on, as text: numbers in full, the field as its hash.
 std::string key_of(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,

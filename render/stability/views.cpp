@@ -1,6 +1,6 @@
 #include "render/stability/views.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "render/studies/knoll_claims.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "render/vdls/layer_textures.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "presets/error.h"
 

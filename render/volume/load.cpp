@@ -1,6 +1,6 @@
 #include "render/volume/load.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -9,9 +9,10 @@
 #include <new>
 
 #include "presets/error.h"
+#include "render/file_library.h"
 #include "render/volume/builtin.h"
 #include "render/volume/header_text.h"
-#include "render/volume/readers.h"
+#include "render/volume/raw_reader.h"
 
 namespace crest {
 namespace {
@@ -22,24 +23,29 @@ constexpr std::string_view builtin_prefix = "builtin:";
 /// A kind of file, by the end of its name.
 struct Reader {
   VolumeFormat format;  ///< its extensions: with dots, separated by spaces
-  Volume (*read)(const Request&);
+  Volume (*read)(const FileRequest&);
 };
 
+template <FileForm form>
+Volume read_form(const FileRequest& request) {
+  return file_library().read_volume(form, request);
+}
+
 constexpr Reader readers[] = {
-    {{"NRRD", ".nrrd .nhdr", "attached or detached header; raw, gzip, ascii or hex"}, read_nrrd},
-    {{"MetaImage", ".mha .mhd", "attached or detached header; raw or compressed"}, read_metaimage},
-    {{"NIfTI", ".nii .nii.gz", "version 1; slope and intercept are applied"}, read_nifti},
-    {{"MRC", ".mrc .map .rec .ccp4", "electron microscopy; modes 0, 1, 2 and 6"}, read_mrc},
-    {{"VTK", ".vtk", "legacy structured points, binary or ASCII"}, read_vtk},
+    {{"NRRD", ".nrrd .nhdr", "attached or detached header; raw, gzip, ascii or hex"}, read_form<FileForm::nrrd>},
+    {{"MetaImage", ".mha .mhd", "attached or detached header; raw or compressed"}, read_form<FileForm::metaimage>},
+    {{"NIfTI", ".nii .nii.gz", "version 1; slope and intercept are applied"}, read_form<FileForm::nifti>},
+    {{"MRC", ".mrc .map .rec .ccp4", "electron microscopy; modes 0, 1, 2 and 6"}, read_form<FileForm::mrc>},
+    {{"VTK", ".vtk", "legacy structured points, binary or ASCII"}, read_form<FileForm::vtk>},
     {{"DICOM", ".dcm .dicom .ima",
       "a folder with a series (?series=UID for one of several), or a multi-frame file"},
-     read_dicom_file},
+     read_form<FileForm::dicom_file>},
     {{"RAW", ".raw",
       "?size=AxBxC&type=uint8&spacing=x,y,z&origin=x,y,z&endian=little|big&offset=bytes, or the same keys in "
       "NAME.raw.json, or name_AxBxC_uint8.raw"},
      read_raw},
     {{"image stack", ".tif .tiff", "a multi-page file, or a folder of images sorted by name; ?spacing=x,y,z"},
-     read_image_pages},
+     read_form<FileForm::image_pages>},
 };
 
 const Reader* find_reader(const fs::path& path) {
@@ -65,13 +71,13 @@ std::pair<fs::path, std::string> split_source(const std::string& source) {
   throw Error(fmt::format("{}: there is no such file or folder", path.string()));
 }
 
-Volume read_folder(const Request& request) {
-  if (has_dicom(request.path)) return read_dicom_series(request);
-  if (has_images(request.path)) return read_image_folder(request);
+Volume read_folder(const FileRequest& request) {
+  if (file_library().has_dicom(request.path)) return read_form<FileForm::dicom_series>(request);
+  if (file_library().has_images(request.path)) return read_form<FileForm::image_folder>(request);
   throw Error(fmt::format("{}: a folder with neither a DICOM series nor images in it", request.name()));
 }
 
-Volume read_file_or_folder(const Request& request) {
+Volume read_file_or_folder(const FileRequest& request) {
   const std::string name = request.name();
   if (access(request.path.c_str(), R_OK) != 0) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
   if (fs::is_directory(request.path)) return read_folder(request);
@@ -88,7 +94,7 @@ Volume read_file_or_folder(const Request& request) {
 }
 
 /// With what the standard library throws (no permission for a folder, no memory after all) as Errors.
-Volume guarded(const Request& request) {
+Volume guarded(const FileRequest& request) {
   try {
     return read_file_or_folder(request);
   } catch (const fs::filesystem_error& fault) {

@@ -1,6 +1,6 @@
 #include "render/volume/memory.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <fstream>

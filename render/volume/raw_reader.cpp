@@ -1,17 +1,17 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <bit>
 #include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "presets/atomic_file.h"
 #include "presets/error.h"
+#include "presets/json.h"
 #include "render/volume/convert.h"
 #include "render/volume/memory.h"
-#include "render/volume/readers.h"
+#include "render/volume/raw_reader.h"
 
 namespace crest {
 namespace {
@@ -72,7 +72,7 @@ Query query_from_sidecar(const std::filesystem::path& sidecar) {
 }
 
 /// The query wins over the sidecar, and that over the name.
-Query gather(const Request& request) {
+Query gather(const FileRequest& request) {
   Query query = request.query;
   require_known_keys(request.name(), query, keys);
   const std::filesystem::path sidecar = request.name() + ".json";
@@ -116,7 +116,7 @@ std::endian parse_endian(const std::string& name, const Query& query) {
   throw Error(fmt::format("{}: endian={} is neither little nor big", name, *text));
 }
 
-void require_byte_count(const Request& request, glm::u64vec3 size, ScalarType type, std::uint64_t offset) {
+void require_byte_count(const FileRequest& request, glm::u64vec3 size, ScalarType type, std::uint64_t offset) {
   const std::uint64_t promised = offset + size.x * size.y * size.z * size_of(type);
   const std::uint64_t held = std::filesystem::file_size(request.path);
   if (promised == held) return;
@@ -125,7 +125,7 @@ void require_byte_count(const Request& request, glm::u64vec3 size, ScalarType ty
 }
 
 /// Block by block, so that the file's bytes are never all in memory.
-std::vector<float> read_values(const Request& request, std::size_t count, ScalarType type, std::endian endian,
+std::vector<float> read_values(const FileRequest& request, std::size_t count, ScalarType type, std::endian endian,
                                std::uint64_t offset) {
   constexpr std::size_t block = std::size_t(1) << 20;
   std::ifstream file(request.path, std::ios::binary);
@@ -146,7 +146,7 @@ std::vector<float> read_values(const Request& request, std::size_t count, Scalar
 
 }  // namespace
 
-Volume read_raw(const Request& request) {
+Volume read_raw(const FileRequest& request) {
   const std::string name = request.name();
   const Query query = gather(request);
   const glm::u64vec3 size = parse_size(name, query);

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <nlohmann/json.hpp>
 
+#include "presets/json.h"
 #include "program.h"
 #include "render/image.h"
 

@@ -1,8 +1,8 @@
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <sstream>
 
+#include "presets/json.h"
 #include "presets/transfer_function.h"
 #include "program.h"
 

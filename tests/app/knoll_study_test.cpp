@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <regex>
 
+#include "presets/json.h"
 #include "program.h"
 
 namespace crest::test {

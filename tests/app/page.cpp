@@ -1,8 +1,8 @@
 #include "page.h"
+#include "presets/json.h"
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <regex>
 
 namespace crest::test {

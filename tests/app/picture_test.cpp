@@ -1,8 +1,8 @@
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "presets/json.h"
 #include "program.h"
 #include "render/image.h"
 

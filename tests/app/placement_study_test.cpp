@@ -1,7 +1,7 @@
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "page.h"
+#include "presets/json.h"
 #include "program.h"
 #include "render/image.h"
 

@@ -1,6 +1,8 @@
+#include "presets/json.h"
 #include "program.h"
+#include "tests/paths.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 
@@ -8,7 +10,6 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <nlohmann/json.hpp>
 
 namespace crest::test {
 namespace {
@@ -49,7 +50,7 @@ ProgramTest::~ProgramTest() {
 
 Outcome ProgramTest::run(const std::vector<std::string>& arguments, const std::string& shell_prefix) const {
   const fs::path streams = new_folder();
-  std::string words = quoted(CREST_PROGRAM);
+  std::string words = quoted(crest_program().string());
   for (const std::string& argument : arguments) words += fmt::format(" {}", quoted(argument));
   const std::string line = fmt::format(
       "cd {} && unset DISPLAY && ({} exec timeout 60 {}) >{} 2>{}", quoted(folder_.string()), shell_prefix,

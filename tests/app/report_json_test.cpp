@@ -8,6 +8,7 @@
 #include "app/report/report_pictures.h"
 #include "json_schema.h"
 #include "program.h"
+#include "tests/paths.h"
 
 namespace crest {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 json schema() {
-  return json::parse(test::content_of(std::string(CREST_SOURCE_DIR) + "/docs/report.schema.json"));
+  return json::parse(test::content_of(test::source_folder() / "docs/report.schema.json"));
 }
 
 Image grey(float value) { return {{2, 2}, std::vector<glm::vec4>(4, glm::vec4(value))}; }

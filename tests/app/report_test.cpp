@@ -1,13 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "json_schema.h"
 #include "page.h"
+#include "presets/json.h"
 #include "program.h"
 #include "render/measure/methods.h"
+#include "tests/paths.h"
 
 namespace crest::test {
 namespace {
@@ -31,7 +32,7 @@ TEST_F(ReportTest, OfASmallScene) {
   EXPECT_EQ(names(), Words{"out"});
   const json report = json_in("out");
   EXPECT_EQ(json::parse(outcome.out), report);
-  const json schema = json::parse(content_of(std::string(CREST_SOURCE_DIR) + "/docs/report.schema.json"));
+  const json schema = json::parse(content_of(test::source_folder() / "docs/report.schema.json"));
   EXPECT_EQ(schema_faults(report, schema), Words{});
 
   // Every method, against its own exact answer, and the finer step is the closer one

@@ -1,9 +1,9 @@
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "page.h"
+#include "presets/json.h"
 #include "program.h"
 
 namespace crest::test {

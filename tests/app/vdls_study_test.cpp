@@ -1,5 +1,5 @@
-#include <nlohmann/json.hpp>
 
+#include "presets/json.h"
 #include "program.h"
 
 namespace crest::test {

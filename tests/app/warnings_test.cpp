@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "presets/json.h"
 #include "program.h"
 
 namespace crest::test {

@@ -3,7 +3,7 @@
 // itself, which is what the run varies by. With CREST_DATA set to a folder of real volumes, aneurism is among
 // them.
 #include <benchmark/benchmark.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdio>

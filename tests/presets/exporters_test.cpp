@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "presets/error.h"
+#include "presets/json.h"
 #include "tests/presets/random_preset.h"
 
 namespace crest {

@@ -1,9 +1,9 @@
+#include "presets/json.h"
 #include "presets/preset_file.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 
 #include "presets/error.h"
 #include "presets/names.h"

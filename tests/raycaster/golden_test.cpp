@@ -5,6 +5,7 @@
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
 #include "tests/raycaster/fixture.h"
+#include "tests/paths.h"
 
 namespace crest::testing {
 namespace {
@@ -34,7 +35,7 @@ TEST_P(Golden, IsWhatItWas) {
       over_background(render(scene, whole_volume_camera(scene.volume->grid), size), glm::vec3(0));
 
   const fs::path kept =
-      fs::path(CREST_SOURCE_DIR) / "tests/data/golden" / (std::string(golden.name) + ".png");
+      test::source_folder() / "tests/data/golden" / (std::string(golden.name) + ".png");
   if (std::getenv("CREST_UPDATE_GOLDEN")) write_image(kept, image, glm::vec3(0));
   const Image expected = read_image(kept);
   ASSERT_EQ(expected.size, image.size);

@@ -8,6 +8,7 @@
 #include "render/gl/shader_source.h"
 #include "render/volume/builtin.h"
 #include "tests/raycaster/fixture.h"
+#include "tests/paths.h"
 
 namespace crest::testing {
 namespace {
@@ -18,7 +19,7 @@ class Shaders : public RaycasterTest {
  protected:
   void SetUp() override {
     folder = fs::temp_directory_path() / ("crest-shaders-" + std::to_string(::getpid()));
-    fs::copy(fs::path(CREST_SOURCE_DIR) / "render/shaders", folder);
+    fs::copy(test::source_folder() / "render/shaders", folder);
   }
   void TearDown() override { fs::remove_all(folder); }
 
@@ -46,7 +47,7 @@ TEST_F(Shaders, FailedReloadKeepsTheLastGoodProgram) {
   EXPECT_NE(from_folder.shader_error().find("compositing.glsl:" + std::to_string(lines + 1)),
             std::string::npos)
       << from_folder.shader_error();
-  fs::copy_file(fs::path(CREST_SOURCE_DIR) / "render/shaders/compositing.glsl", folder / "compositing.glsl",
+  fs::copy_file(test::source_folder() / "render/shaders/compositing.glsl", folder / "compositing.glsl",
                 fs::copy_options::overwrite_existing);
   from_folder.reload_shaders();
   from_folder.draw(scene, camera, target);

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "app/stability_files.h"
 #include "presets/atomic_file.h"
+#include "presets/json.h"
 
 namespace crest {
 namespace {

@@ -1,6 +1,6 @@
 #include "render/volume/builtin.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <fstream>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "presets/error.h"
 #include "render/volume/load.h"

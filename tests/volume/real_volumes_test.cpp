@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -7,6 +7,7 @@
 #include "files.h"
 #include "presets/error.h"
 #include "render/volume/load.h"
+#include "tests/paths.h"
 
 namespace crest::test {
 namespace {
@@ -17,7 +18,7 @@ using enum ScalarType;
 /// The folder of real volumes, where there is one.
 fs::path data_folder() {
   const char* folder = std::getenv("CREST_DATA");
-  return folder ? fs::path(folder) : fs::path(CREST_SOURCE_DIR "/../shared/data");
+  return folder ? fs::path(folder) : test::source_folder() / "../shared/data";
 }
 
 class RealVolumes : public testing::Test {

@@ -1,5 +1,5 @@
 #include <OpenImageIO/imageio.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "files.h"
 #include "render/volume/load.h"

@@ -1,10 +1,10 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <map>
 
 #include "presets/error.h"
 #include "render/volume/header_text.h"
-#include "render/volume/headers.h"
+#include "render/files/headers.h"
 #include "render/volume/query.h"
 
 namespace crest {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "render/volume/convert.h"
-#include "render/volume/voxel_data.h"
+#include "render/files/voxel_data.h"
 
 namespace crest {
 

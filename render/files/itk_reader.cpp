@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <itkImageIOBase.h>
 #include <itkMRCImageIO.h>
 #include <itkMetaImageIO.h>
@@ -11,10 +11,10 @@
 
 #include "presets/error.h"
 #include "render/volume/convert.h"
-#include "render/volume/headers.h"
-#include "render/volume/itk_support.h"
+#include "render/files/headers.h"
+#include "render/files/itk_support.h"
 #include "render/volume/memory.h"
-#include "render/volume/readers.h"
+#include "render/files/readers.h"
 
 namespace crest {
 namespace {
@@ -34,7 +34,7 @@ void add_note(std::string& note, const std::string& more) {
 }
 
 /// One of `count` components or frames, which the query must say when there are more than one.
-std::uint64_t select_one(const Request& request, std::string_view key, std::uint64_t count,
+std::uint64_t select_one(const FileRequest& request, std::string_view key, std::uint64_t count,
                          std::string& note) {
   if (count > 1 && !request.query.contains(key)) {
     throw Error(fmt::format("{}: it has {} {}s, and a volume is one: take the first with ?{}=0",
@@ -46,7 +46,7 @@ std::uint64_t select_one(const Request& request, std::string_view key, std::uint
   return index;
 }
 
-Selection select(const Request& request, const itk::ImageIOBase& io) {
+Selection select(const FileRequest& request, const itk::ImageIOBase& io) {
   unsigned axes = io.GetNumberOfDimensions();
   while (axes > 3 && io.GetDimensions(axes - 1) == 1) --axes;
   if (axes < 3 || axes > 4) {
@@ -105,7 +105,7 @@ std::vector<float> read_values(const std::string& name, itk::ImageIOBase& io, co
 }
 
 /// `copies`: how many times over the format's reader holds the file's data.
-Volume read(const Request& request, itk::ImageIOBase& io, FileHeader header, std::uint64_t copies = 1) {
+Volume read(const FileRequest& request, itk::ImageIOBase& io, FileHeader header, std::uint64_t copies = 1) {
   const std::string name = request.name();
   require_known_keys(name, request.query, "component,frame");
   io.SetFileName(name);
@@ -142,23 +142,23 @@ Volume read(const Request& request, itk::ImageIOBase& io, FileHeader header, std
 
 }  // namespace
 
-Volume read_nrrd(const Request& request) {
+Volume read_nrrd(const FileRequest& request) {
   return read(request, *itk::NrrdImageIO::New(), read_nrrd_header(request.path));
 }
 
-Volume read_metaimage(const Request& request) {
+Volume read_metaimage(const FileRequest& request) {
   return read(request, *itk::MetaImageIO::New(), read_metaimage_header(request.path));
 }
 
-Volume read_nifti(const Request& request) {
+Volume read_nifti(const FileRequest& request) {
   return read(request, *itk::NiftiImageIO::New(), read_nifti_header(request.path), 2);
 }
 
-Volume read_mrc(const Request& request) {
+Volume read_mrc(const FileRequest& request) {
   return read(request, *itk::MRCImageIO::New(), read_mrc_header(request.path));
 }
 
-Volume read_vtk(const Request& request) {
+Volume read_vtk(const FileRequest& request) {
   return read(request, *itk::VTKImageIO::New(), read_vtk_header(request.path));
 }
 

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "presets/error.h"
 #include "render/volume/header_text.h"
-#include "render/volume/headers.h"
+#include "render/files/headers.h"
 
 namespace crest {
 namespace {

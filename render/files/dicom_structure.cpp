@@ -1,6 +1,6 @@
-#include "render/volume/dicom_structure.h"
+#include "render/files/dicom_structure.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <fstream>
@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "presets/error.h"
-#include "render/volume/voxel_data.h"
+#include "render/files/voxel_data.h"
 
 namespace crest {
 namespace {

@@ -1,5 +1,5 @@
 #include <OpenImageIO/imageio.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
@@ -8,8 +8,8 @@
 #include "render/volume/convert.h"
 #include "render/volume/header_text.h"
 #include "render/volume/memory.h"
-#include "render/volume/readers.h"
-#include "render/volume/silence.h"
+#include "render/files/readers.h"
+#include "render/files/silence.h"
 
 namespace crest {
 namespace {
@@ -106,7 +106,7 @@ void require_alike(const Page& page, const OIIO::ImageSpec& spec, const OIIO::Im
                   spec.format.c_str(), first.width, first.height, first.nchannels, first.format.c_str()));
 }
 
-std::size_t channel_of(const Request& request, const OIIO::ImageSpec& spec) {
+std::size_t channel_of(const FileRequest& request, const OIIO::ImageSpec& spec) {
   if (spec.nchannels > 1 && !request.query.contains("component")) {
     throw Error(
         fmt::format("{}: its images have {} channels, and a volume is one: take the first with ?component=0",
@@ -115,7 +115,7 @@ std::size_t channel_of(const Request& request, const OIIO::ImageSpec& spec) {
   return std::size_t(integer_in(request.name(), request.query, "component", 0, 0, spec.nchannels - 1));
 }
 
-glm::dvec3 vector_of(const Request& request, std::string_view key, glm::dvec3 fallback) {
+glm::dvec3 vector_of(const FileRequest& request, std::string_view key, glm::dvec3 fallback) {
   const auto found = request.query.find(key);
   if (found == request.query.end()) return fallback;
   const auto vector = to_vector(found->second, ',');
@@ -126,7 +126,7 @@ glm::dvec3 vector_of(const Request& request, std::string_view key, glm::dvec3 fa
   return *vector;
 }
 
-Volume read_pages(const Request& request, const std::vector<Page>& pages) {
+Volume read_pages(const FileRequest& request, const std::vector<Page>& pages) {
   require_known_keys(request.name(), request.query, keys);
   const Silence silence;
   auto input = open(pages.front().file);
@@ -167,7 +167,7 @@ bool has_images(const fs::path& folder) {
                              [](const auto& entry) { return is_image(entry.path()); });
 }
 
-Volume read_image_pages(const Request& request) {
+Volume read_image_pages(const FileRequest& request) {
   std::vector<Page> pages;
   const auto input = open(request.path);
   while (input->seek_subimage(int(pages.size()), 0)) pages.push_back({request.path, int(pages.size())});
@@ -178,7 +178,7 @@ Volume read_image_pages(const Request& request) {
   return read_pages(request, pages);
 }
 
-Volume read_image_folder(const Request& request) {
+Volume read_image_folder(const FileRequest& request) {
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(request.path)) {
     if (is_image(entry.path())) files.push_back(entry.path().string());

@@ -1,6 +1,6 @@
-#include "render/volume/voxel_data.h"
+#include "render/files/voxel_data.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <zlib.h>
 
 #include <algorithm>

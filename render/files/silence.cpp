@@ -1,4 +1,4 @@
-#include "render/volume/silence.h"
+#include "render/files/silence.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,13 +1,13 @@
-#include "render/volume/itk_support.h"
+#include "render/files/itk_support.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <new>
 
 #include "presets/error.h"
 #include "render/volume/header_text.h"
-#include "render/volume/silence.h"
+#include "render/files/silence.h"
 
 namespace crest {
 namespace {

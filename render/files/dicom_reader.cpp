@@ -9,11 +9,11 @@
 
 #include "presets/error.h"
 #include "render/volume/convert.h"
-#include "render/volume/dicom_structure.h"
+#include "render/files/dicom_structure.h"
 #include "render/volume/header_text.h"
-#include "render/volume/itk_support.h"
+#include "render/files/itk_support.h"
 #include "render/volume/memory.h"
-#include "render/volume/readers.h"
+#include "render/files/readers.h"
 
 namespace crest {
 namespace {
@@ -75,7 +75,7 @@ std::map<std::string, std::vector<Slice>> find_series(const fs::path& folder) {
 
 /// The files of the series that the query names, or of the one with the most, in the order of their
 /// positions.
-Files series_files(const Request& request, std::string& note) {
+Files series_files(const FileRequest& request, std::string& note) {
   auto all = find_series(request.path);
   if (all.empty()) throw Error(fmt::format("{}: its DICOM files hold no images", request.name()));
   auto chosen = std::ranges::max_element(all, {}, [](const auto& entry) { return entry.second.size(); });
@@ -125,7 +125,7 @@ void require_alike(const itk::GDCMImageIO& io, const itk::GDCMImageIO& first) {
   }
 }
 
-Volume read_files(const Request& request, const Files& files, std::string note) {
+Volume read_files(const FileRequest& request, const Files& files, std::string note) {
   const std::string name = request.name();
   const auto first = open(files.front());
   const std::uint64_t components = first->GetNumberOfComponents();
@@ -176,12 +176,12 @@ bool has_dicom(const fs::path& folder) {
                              [](const auto& entry) { return is_dicom(entry.path()); });
 }
 
-Volume read_dicom_file(const Request& request) {
+Volume read_dicom_file(const FileRequest& request) {
   require_known_keys(request.name(), request.query, "component");
   return read_files(request, {request.name()}, "");
 }
 
-Volume read_dicom_series(const Request& request) {
+Volume read_dicom_series(const FileRequest& request) {
   require_known_keys(request.name(), request.query, "component,series");
   std::string note;
   const Files files = series_files(request, note);

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+
+namespace crest::test {
+
+/// The project's own folder, and the built program.
+std::filesystem::path source_folder();
+std::filesystem::path crest_program();
+
+}  // namespace crest::test
