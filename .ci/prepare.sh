@@ -4,6 +4,13 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { echo "crest: $*" >&2; }
 
+# took STAGE: notes in `times` how long it was since the last stage.
+stage_began=$SECONDS times=
+took() {
+  times+="${times:+, }$1 $((SECONDS - stage_began)) s"
+  stage_began=$SECONDS
+}
+
 # install_packages FILE...: the Debian packages listed in these files, those that are not there.
 install_packages() {
   local missing=() package

@@ -26,15 +26,16 @@ void report(std::string text) {
 const CommandLine::Texts texts = {
     .description = "Crest, a transfer-function design studio for volume rendering",
     .version = "crest " CREST_VERSION,
-    .footer = "VOLUME is a file (NRRD, MetaImage, NIfTI, MRC, VTK, RAW), a folder (a DICOM series or an image "
-              "stack), or\n"
-              "builtin:NAME?key=value&... (crest list volumes).\n"
-              "Examples:\n"
-              "  crest head.nrrd --preset dirac-shell\n"
-              "  crest render builtin:plume?n=128 --preset dirac-shell -o plume.png --json\n"
-              "  crest compare 'head.raw?size=64x64x93&type=int16' --preset my.json --set rendering.step=0.25 "
-              "-o modes.png\n"
-              "Exit codes: 0 done; 1 the work failed; 2 the command line is wrong."};
+    .footer =
+        "VOLUME is a file (NRRD, MetaImage, NIfTI, MRC, VTK, RAW), a folder (a DICOM series or an image "
+        "stack), or\n"
+        "builtin:NAME?key=value&... (crest list volumes).\n"
+        "Examples:\n"
+        "  crest head.nrrd --preset dirac-shell\n"
+        "  crest render builtin:plume?n=128 --preset dirac-shell -o plume.png --json\n"
+        "  crest compare 'head.raw?size=64x64x93&type=int16' --preset my.json --set rendering.step=0.25 "
+        "-o modes.png\n"
+        "Exit codes: 0 done; 1 the work failed; 2 the command line is wrong."};
 
 /// What was printed is out, or it is an error (a full disk).
 void flush_output() {

@@ -51,8 +51,7 @@ void add_export_command(Options app, Action& chosen) {
         }
       });
   command.add("-o,--output", options->output, "The file to write").required().type_name("FILE");
-  command.add("--volume", options->volume,
-                      "Write a normalized preset in this volume's values and units");
+  command.add("--volume", options->volume, "Write a normalized preset in this volume's values and units");
   command.add("--samples", options->format_options.samples, "Rows of a sampled format")
       .in(2, 1048576)
       .shows_default();

@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-
 #include "app/commands.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
@@ -43,9 +42,7 @@ void add_info_command(Options app, Action& chosen) {
   auto options = std::make_shared<InfoOptions>();
   Options command = app.add_command("info", "Print what a volume holds, as JSON");
   command.add("VOLUME", options->volume, "What to read (crest --help)").required();
-  command.add("--bins", options->bins, "Bins of the histogram")
-      .in(1, 65536)
-      .shows_default();
+  command.add("--bins", options->bins, "Bins of the histogram").in(1, 65536).shows_default();
   command.add_flag("--json", options->json, "JSON is the only form there is");
   command.when_read(
       [options, &chosen] { chosen = [options] { print_info(options->volume, options->bins); }; });

@@ -19,8 +19,7 @@ class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
   /// `option` is what is wrong: "--size", "VOLUME".
-  UsageError(const std::string& option, const std::string& text)
-      : std::runtime_error(option + ": " + text) {}
+  UsageError(const std::string& option, const std::string& text) : std::runtime_error(option + ": " + text) {}
 };
 
 /// One option of a command, to be described further.
@@ -45,8 +44,8 @@ class Option {
   CLI::Option* option_;
 };
 
-/// The options of the program or of one of its commands: a thin layer over CLI11, whose header alone takes 9 s
-/// to compile.
+/// The options of the program or of one of its commands: a thin layer over CLI11, whose header alone takes 9
+/// s to compile.
 class Options {
  public:
   explicit Options(CLI::App* app) : app_(app) {}
@@ -80,8 +79,8 @@ class CommandLine {
   ~CommandLine();
 
   Options options();
-  /// Calls what is to be called (Options::when_read). Where only the help or the version was asked for, prints
-  /// it and returns the exit code. Throws UsageError.
+  /// Calls what is to be called (Options::when_read). Where only the help or the version was asked for,
+  /// prints it and returns the exit code. Throws UsageError.
   std::optional<int> read(int argc, char** argv);
 
  private:

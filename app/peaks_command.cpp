@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-
 #include "app/commands.h"
 #include "presets/json.h"
 #include "presets/preset_file.h"
@@ -79,10 +78,8 @@ void add_peaks_command(Options app, Action& chosen) {
   auto options = std::make_shared<PeaksOptions>();
   Options command = app.add_command("peaks", "Print a preset's peaks and its peak table, as JSON");
   command.add("PRESET", options->preset, "A preset's file, or its name in the library").required();
-  command.add("--volume", options->volume,
-                      "Values and range of this volume; without it the TF's own points");
-  command.add("--bins", options->bins, "Bins of the table; without it as the preset says")
-      .in(1, 4096);
+  command.add("--volume", options->volume, "Values and range of this volume; without it the TF's own points");
+  command.add("--bins", options->bins, "Bins of the table; without it as the preset says").in(1, 4096);
   command.add_flag("--json", options->json, "JSON is the only form there is");
   command.when_read([options, &chosen] { chosen = [options] { print_peaks(*options); }; });
 }

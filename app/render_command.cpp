@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-
 #include "app/commands.h"
 #include "app/exact_picture.h"
 #include "app/offscreen_context.h"

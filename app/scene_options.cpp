@@ -36,8 +36,9 @@ void SceneOptions::add_to(Options options) {
       .type_name("FILE");
   options.add("--mode", mode, "What a ray collects: " + name_list<Mode>()).type_name("MODE");
   options.add("--engine", engine, "What renders: " + name_list<Engine>()).type_name("ENGINE");
-  options.add("--illumination", illumination,
-                 "What a sample contributes to its ray: " + name_list<Illumination>())
+  options
+      .add("--illumination", illumination,
+           "What a sample contributes to its ray: " + name_list<Illumination>())
       .type_name("NAME");
   options.add("--step", step, "Step length, in units of the smallest spacing").type_name("STEP");
   options.add("--eye", eye, "Camera: where the eye is (world units)").type_name("X,Y,Z");
@@ -89,8 +90,7 @@ Preset SceneOptions::read_preset(const Volume& loaded) const {
 }
 
 void PictureOptions::add_to(Options options) {
-  options.add("-o,--output", output,
-                 "The picture: .png (8 bit over the background) or .exr (32-bit float)")
+  options.add("-o,--output", output, "The picture: .png (8 bit over the background) or .exr (32-bit float)")
       .required()
       .type_name("FILE");
   options.add("--size", size, "Width x height in pixels").shows_default().type_name("WxH");

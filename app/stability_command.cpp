@@ -51,7 +51,7 @@ glm::ivec2 square_pixels(const std::string& text) {
   const glm::ivec2 size = pixels_of(text);
   if (size.x != size.y || size.x < stability::least_side)
     throw UsageError("--size", fmt::format("'{}' is not a square of at least {}x{}", text,
-                                                     stability::least_side, stability::least_side));
+                                           stability::least_side, stability::least_side));
   return size;
 }
 
@@ -77,16 +77,14 @@ void run_stability(const StabilityOptions& options) {
 
 void add_stability_command(Options app, Action& chosen) {
   auto options = std::make_shared<StabilityOptions>();
-  Options command =
-      app.add_command("stability", "Stiff and extreme cases: what is kept, and what is not");
+  Options command = app.add_command("stability", "Stiff and extreme cases: what is kept, and what is not");
   command.add("-o,--output", options->output, "The folder for stability.json and stability.html")
       .not_empty()
       .type_name("DIR");
   command.add("--size", options->size, "Width x height of its pictures, which are square")
       .shows_default()
       .type_name("WxH");
-  command.add("--device", options->device,
-                      "Graphics device (crest list devices); hardware first by default");
+  command.add("--device", options->device, "Graphics device (crest list devices); hardware first by default");
   command.add_flag("--json", options->json, "Print the table as JSON");
   command.when_read([options, &chosen] { chosen = [options] { run_stability(*options); }; });
 }

@@ -1,6 +1,5 @@
 #include "app/stability_files.h"
 
-
 #include "app/report/page.h"
 #include "presets/atomic_file.h"
 #include "presets/json.h"

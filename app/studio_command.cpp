@@ -82,8 +82,7 @@ void run_window(const StudioOptions& options) {
 void expect_volume(const std::string& source) {
   const std::string file = source.substr(0, source.find('?'));
   if (source.find_first_of("./:?") == source.npos && !std::filesystem::exists(file))
-    throw UsageError("VOLUME",
-                               fmt::format("'{}' is neither a command nor a file or folder", source));
+    throw UsageError("VOLUME", fmt::format("'{}' is neither a command nor a file or folder", source));
 }
 
 /// What the studio does where it has no display: a picture instead of a window.
@@ -106,14 +105,12 @@ void add_studio(Options app, Action& chosen) {
   auto options = std::make_shared<StudioOptions>();
   app.add("VOLUME", options->scene.volume, "What to open in the studio window");
   options->scene.add_to(app);
-  app.add("--shaders", options->shader_folder,
-                 "Read the shaders from this folder; F5 reads them again")
+  app.add("--shaders", options->shader_folder, "Read the shaders from this folder; F5 reads them again")
       .existing_folder();
-  app.add("--log-frames", options->frame_log,
-                 "On quitting, write frame times and edit-to-view times here")
+  app.add("--log-frames", options->frame_log, "On quitting, write frame times and edit-to-view times here")
       .type_name("FILE");
   app.add("--log-layout", options->layout_file,
-                 "Write where the widgets are, for scripts that drive the window")
+          "Write where the widgets are, for scripts that drive the window")
       .type_name("FILE");
   app.when_read([options, &chosen, app] {
     if (app.has_command()) return;

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-
 #include "app/offscreen_context.h"
 #include "app/output_folder.h"
 #include "app/progress.h"

@@ -36,8 +36,7 @@ std::optional<double> budget_seconds(const std::string& text) {
   std::smatch match;
   static const std::regex form(R"((\d{1,9}(?:\.\d{1,9})?)(s|m|h)?)");
   if (!std::regex_match(text, match, form) || std::stod(match[1]) <= 0)
-    throw UsageError("--budget",
-                               fmt::format("'{}' is not a time, as in 90s, 2m or 1h, nor 'none'", text));
+    throw UsageError("--budget", fmt::format("'{}' is not a time, as in 90s, 2m or 1h, nor 'none'", text));
   const double unit = match[2] == "h" ? 3600 : match[2] == "m" ? 60 : 1;
   return unit * std::stod(match[1]);
 }
@@ -57,7 +56,7 @@ const Study& find_study(const std::string& name) {
     names += (names.empty() ? "" : ", ") + std::string(study.name);
   }
   throw UsageError("--study", fmt::format("'{}' is not a study; there {}", name,
-                                                    names.empty() ? "is none yet" : "is: " + names));
+                                          names.empty() ? "is none yet" : "is: " + names));
 }
 
 /// The command that renders what the report is of, with these settings. `written` are those that it would
@@ -168,11 +167,10 @@ void check_options(const ReportOptions& options) {
   }
   const Study& study = find_study(options.study);
   if (!options.scene.volume.empty() && !study.takes_volume)
-    throw UsageError("--study",
-                               fmt::format("{} has scenes of its own: without VOLUME", study.name));
+    throw UsageError("--study", fmt::format("{} has scenes of its own: without VOLUME", study.name));
   if (options.budget_is_given && !study.takes_budget)
-    throw UsageError(
-        "--budget", fmt::format("--study {} takes the time that it needs: without --budget", study.name));
+    throw UsageError("--budget",
+                     fmt::format("--study {} takes the time that it needs: without --budget", study.name));
   if (options.scene.volume.empty() && options.scene.has_any())
     throw UsageError(
         "--study",
@@ -196,26 +194,26 @@ void add_report_command(Options app, Action& chosen) {
       .required()
       .not_empty()
       .type_name("DIR");
-  command.add("--size", options->size, "Width x height in pixels")
-      .shows_default()
-      .type_name("WxH");
+  command.add("--size", options->size, "Width x height in pixels").shows_default().type_name("WxH");
   const Option study = command.add("--study", options->study, study_help()).type_name("NAME");
-  command.add("--budget", options->budget,
-                   "Time for all of it: 90s, 2m, 1h, or none; of a study that takes one, none by default")
+  command
+      .add("--budget", options->budget,
+           "Time for all of it: 90s, 2m, 1h, or none; of a study that takes one, none by default")
       .shows_default()
       .type_name("TIME");
-  command.add("--target-error", options->target,
-                   "The error that the recommended setting keeps under: share, rmse, max, p999, flip, missed "
-                   "or invented")
+  command
+      .add("--target-error", options->target,
+           "The error that the recommended setting keeps under: share, rmse, max, p999, flip, missed "
+           "or invented")
       .shows_default()
       .type_name("LIMIT")
       .excludes(study);
-  command.add("--data", options->data_folder,
-                   "A folder of real volumes, for studies that use those of them that are there")
+  command
+      .add("--data", options->data_folder,
+           "A folder of real volumes, for studies that use those of them that are there")
       .or_environment("CREST_DATA")
       .type_name("DIR");
-  command.add("--device", options->device,
-                      "Graphics device (crest list devices); hardware first by default");
+  command.add("--device", options->device, "Graphics device (crest list devices); hardware first by default");
   command.add_flag("--json", options->json, "Print report.json, too");
   command.when_read([options, command, &chosen] {
     options->size_is_given = command.is_given("--size");

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-
 #include "app/output_folder.h"
 #include "app/report/page.h"
 #include "app/report/report_json.h"

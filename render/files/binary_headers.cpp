@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "presets/error.h"
-#include "render/volume/header_text.h"
 #include "render/files/headers.h"
+#include "render/volume/header_text.h"
 
 namespace crest {
 namespace {

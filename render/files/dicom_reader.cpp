@@ -8,12 +8,12 @@
 #include <ranges>
 
 #include "presets/error.h"
-#include "render/volume/convert.h"
 #include "render/files/dicom_structure.h"
-#include "render/volume/header_text.h"
 #include "render/files/itk_support.h"
-#include "render/volume/memory.h"
 #include "render/files/readers.h"
+#include "render/volume/convert.h"
+#include "render/volume/header_text.h"
+#include "render/volume/memory.h"
 
 namespace crest {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "render/volume/convert.h"
 #include "render/files/voxel_data.h"
+#include "render/volume/convert.h"
 
 namespace crest {
 

@@ -10,11 +10,11 @@
 #include <span>
 
 #include "presets/error.h"
-#include "render/volume/convert.h"
 #include "render/files/headers.h"
 #include "render/files/itk_support.h"
-#include "render/volume/memory.h"
 #include "render/files/readers.h"
+#include "render/volume/convert.h"
+#include "render/volume/memory.h"
 
 namespace crest {
 namespace {

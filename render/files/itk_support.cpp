@@ -6,8 +6,8 @@
 #include <new>
 
 #include "presets/error.h"
-#include "render/volume/header_text.h"
 #include "render/files/silence.h"
+#include "render/volume/header_text.h"
 
 namespace crest {
 namespace {

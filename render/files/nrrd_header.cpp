@@ -3,8 +3,8 @@
 #include <map>
 
 #include "presets/error.h"
-#include "render/volume/header_text.h"
 #include "render/files/headers.h"
+#include "render/volume/header_text.h"
 #include "render/volume/query.h"
 
 namespace crest {

@@ -5,11 +5,11 @@
 #include <cctype>
 
 #include "presets/error.h"
+#include "render/files/readers.h"
+#include "render/files/silence.h"
 #include "render/volume/convert.h"
 #include "render/volume/header_text.h"
 #include "render/volume/memory.h"
-#include "render/files/readers.h"
-#include "render/files/silence.h"
 
 namespace crest {
 namespace {

@@ -32,8 +32,10 @@ Volume read_form(const FileRequest& request) {
 }
 
 constexpr Reader readers[] = {
-    {{"NRRD", ".nrrd .nhdr", "attached or detached header; raw, gzip, ascii or hex"}, read_form<FileForm::nrrd>},
-    {{"MetaImage", ".mha .mhd", "attached or detached header; raw or compressed"}, read_form<FileForm::metaimage>},
+    {{"NRRD", ".nrrd .nhdr", "attached or detached header; raw, gzip, ascii or hex"},
+     read_form<FileForm::nrrd>},
+    {{"MetaImage", ".mha .mhd", "attached or detached header; raw or compressed"},
+     read_form<FileForm::metaimage>},
     {{"NIfTI", ".nii .nii.gz", "version 1; slope and intercept are applied"}, read_form<FileForm::nifti>},
     {{"MRC", ".mrc .map .rec .ccp4", "electron microscopy; modes 0, 1, 2 and 6"}, read_form<FileForm::mrc>},
     {{"VTK", ".vtk", "legacy structured points, binary or ASCII"}, read_form<FileForm::vtk>},

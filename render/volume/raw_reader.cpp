@@ -116,7 +116,8 @@ std::endian parse_endian(const std::string& name, const Query& query) {
   throw Error(fmt::format("{}: endian={} is neither little nor big", name, *text));
 }
 
-void require_byte_count(const FileRequest& request, glm::u64vec3 size, ScalarType type, std::uint64_t offset) {
+void require_byte_count(const FileRequest& request, glm::u64vec3 size, ScalarType type,
+                        std::uint64_t offset) {
   const std::uint64_t promised = offset + size.x * size.y * size.z * size_of(type);
   const std::uint64_t held = std::filesystem::file_size(request.path);
   if (promised == held) return;
@@ -125,8 +126,8 @@ void require_byte_count(const FileRequest& request, glm::u64vec3 size, ScalarTyp
 }
 
 /// Block by block, so that the file's bytes are never all in memory.
-std::vector<float> read_values(const FileRequest& request, std::size_t count, ScalarType type, std::endian endian,
-                               std::uint64_t offset) {
+std::vector<float> read_values(const FileRequest& request, std::size_t count, ScalarType type,
+                               std::endian endian, std::uint64_t offset) {
   constexpr std::size_t block = std::size_t(1) << 20;
   std::ifstream file(request.path, std::ios::binary);
   file.seekg(std::streamoff(offset));

@@ -1,5 +1,5 @@
-#include "presets/json.h"
 #include "program.h"
+#include "presets/json.h"
 #include "tests/paths.h"
 
 #include <fmt/core.h>

@@ -15,9 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-json schema() {
-  return json::parse(test::content_of(test::source_folder() / "docs/report.schema.json"));
-}
+json schema() { return json::parse(test::content_of(test::source_folder() / "docs/report.schema.json")); }
 
 Image grey(float value) { return {{2, 2}, std::vector<glm::vec4>(4, glm::vec4(value))}; }
 

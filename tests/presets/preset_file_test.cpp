@@ -1,9 +1,8 @@
-#include "presets/json.h"
 #include "presets/preset_file.h"
+#include "presets/json.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
-
 
 #include "presets/error.h"
 #include "presets/names.h"

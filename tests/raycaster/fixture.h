@@ -66,8 +66,13 @@ inline double largest_difference(const Image& a, const Image& b) {
   return largest;
 }
 
+/// One context and one ray caster for all tests of a suite: what was drawn before must not matter.
 class RaycasterTest : public ::testing::Test {
  protected:
+  static void SetUpTestSuite() { gpu_ = std::make_unique<Gpu>(); }
+  static void TearDownTestSuite() { gpu_.reset(); }
+  ~RaycasterTest() override { raycaster.force({}); }
+
   Image render(const Scene& scene, const Camera& camera, glm::ivec2 size = {16, 16}) {
     gl::RenderTarget target(size, false);
     raycaster.draw(scene, camera, target);
@@ -78,8 +83,16 @@ class RaycasterTest : public ::testing::Test {
     return raycaster.draw_counted(scene, camera, target);
   }
 
-  OffscreenContext context;
-  Raycaster raycaster;
+ private:
+  struct Gpu {
+    OffscreenContext context;
+    Raycaster raycaster;
+  };
+  static inline std::unique_ptr<Gpu> gpu_;
+
+ protected:
+  OffscreenContext& context = gpu_->context;
+  Raycaster& raycaster = gpu_->raycaster;
 };
 
 }  // namespace crest::testing

@@ -4,8 +4,8 @@
 
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
-#include "tests/raycaster/fixture.h"
 #include "tests/paths.h"
+#include "tests/raycaster/fixture.h"
 
 namespace crest::testing {
 namespace {
@@ -34,8 +34,7 @@ TEST_P(Golden, IsWhatItWas) {
   const Image image =
       over_background(render(scene, whole_volume_camera(scene.volume->grid), size), glm::vec3(0));
 
-  const fs::path kept =
-      test::source_folder() / "tests/data/golden" / (std::string(golden.name) + ".png");
+  const fs::path kept = test::source_folder() / "tests/data/golden" / (std::string(golden.name) + ".png");
   if (std::getenv("CREST_UPDATE_GOLDEN")) write_image(kept, image, glm::vec3(0));
   const Image expected = read_image(kept);
   ASSERT_EQ(expected.size, image.size);

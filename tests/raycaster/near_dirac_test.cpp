@@ -2,9 +2,9 @@
 #include <filesystem>
 
 #include "render/volume/load.h"
+#include "tests/paths.h"
 #include "tests/raycaster/brute_force.h"
 #include "tests/raycaster/fixture.h"
-#include "tests/paths.h"
 
 namespace crest::testing {
 namespace {
@@ -81,7 +81,8 @@ TEST_F(NearDirac, Plume) {
 
 TEST_F(NearDirac, RealVolume) {
   const char* given = std::getenv("CREST_DATA");
-  const std::filesystem::path data = given ? std::filesystem::path(given) : test::source_folder() / "../shared/data";
+  const std::filesystem::path data =
+      given ? std::filesystem::path(given) : test::source_folder() / "../shared/data";
   const auto file = data / "engine.nii.gz";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no real volumes here: set CREST_DATA to their folder";
   load(file.string(), 0.3034);

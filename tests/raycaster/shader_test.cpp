@@ -7,8 +7,8 @@
 #include "presets/preset_file.h"
 #include "render/gl/shader_source.h"
 #include "render/volume/builtin.h"
-#include "tests/raycaster/fixture.h"
 #include "tests/paths.h"
+#include "tests/raycaster/fixture.h"
 
 namespace crest::testing {
 namespace {

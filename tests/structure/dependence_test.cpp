@@ -22,14 +22,14 @@ struct Include {
 
 std::vector<Include> includes_below(const std::string& folder) {
   std::vector<Include> found;
-  for (const auto& entry : fs::recursive_directory_iterator(test::source_folder() / folder)) {
+  for (const auto& entry : fs::recursive_directory_iterator(crest::test::source_folder() / folder)) {
     const auto extension = entry.path().extension();
     if (extension != ".cpp" && extension != ".h") continue;
     std::ifstream file(entry.path());
     for (std::string line; std::getline(file, line);) {
       if (!line.starts_with("#include ")) continue;
-      found.push_back(
-          {entry.path().lexically_relative(test::source_folder()).string(), line.substr(10, line.size() - 11)});
+      found.push_back({entry.path().lexically_relative(crest::test::source_folder()).string(),
+                       line.substr(10, line.size() - 11)});
     }
   }
   return found;

@@ -26,8 +26,12 @@ inline Scene dvr_scene(std::shared_ptr<const Volume> volume, const char* preset,
   return scene;
 }
 
+/// One context and one renderer for all tests of a suite: what was drawn before must not matter.
 class VdlsTest : public ::testing::Test {
  protected:
+  static void SetUpTestSuite() { gpu_ = std::make_unique<Gpu>(); }
+  static void TearDownTestSuite() { gpu_.reset(); }
+
   Image render(Scene scene, const Camera& camera, glm::ivec2 size, Engine engine) {
     scene.rendering.engine = engine;
     gl::RenderTarget target(size, false);
@@ -47,8 +51,15 @@ class VdlsTest : public ::testing::Test {
     return renderer.draw_counts(scene, camera, target);
   }
 
-  OffscreenContext context;
-  Renderer renderer;
+ private:
+  struct Gpu {
+    OffscreenContext context;
+    Renderer renderer;
+  };
+  static inline std::unique_ptr<Gpu> gpu_;
+
+ protected:
+  Renderer& renderer = gpu_->renderer;
 };
 
 }  // namespace crest::testing

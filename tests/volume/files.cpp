@@ -307,7 +307,9 @@ std::string dicom_slice(int columns, int rows, double z, int number, const std::
   std::string length, data;
   append_value(length, double(meta.size()), ScalarType::uint32, std::endian::little);
   for (const std::int16_t pixel : pixels) append_value(data, pixel, ScalarType::int16, std::endian::little);
-  return std::string(128, '\0') + "DICM" + element(2, 0, "UL", length) + meta + element(8, 0x16, "UI", ct) +
+  std::string head(128, '\0');
+  head += "DICM";
+  return head + element(2, 0, "UL", length) + meta + element(8, 0x16, "UI", ct) +
          element(8, 0x18, "UI", instance) + element(8, 0x60, "CS", "CT") + element(0x18, 0x50, "DS", "9") +
          element(0x20, 0xd, "UI", "1.2") + element(0x20, 0xe, "UI", series) + element(0x20, 0x11, "IS", "1") +
          element(0x20, 0x13, "IS", std::to_string(number)) +
