@@ -11,7 +11,7 @@
 #include "app/scene_options.h"
 #include "presets/json.h"
 #include "presets/names.h"
-#include "render/volume/load.h"
+#include "render/files/load.h"
 #include "ui/studio.h"
 
 namespace crest {

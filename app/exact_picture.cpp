@@ -13,7 +13,7 @@
 #include "presets/json.h"
 #include "presets/names.h"
 #include "render/classify/classification.h"
-#include "render/raycaster/limits.h"
+#include "render/scene/limits.h"
 
 namespace crest {
 namespace {

@@ -5,7 +5,7 @@
 #include "presets/error.h"
 #include "presets/exporters.h"
 #include "presets/preset_file.h"
-#include "render/volume/load.h"
+#include "render/files/load.h"
 
 namespace crest {
 namespace {

@@ -3,7 +3,7 @@
 #include "app/commands.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
-#include "render/volume/load.h"
+#include "render/files/load.h"
 
 namespace crest {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "render/image.h"
+#include "render/files/image.h"
 
 namespace crest {
 

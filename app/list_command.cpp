@@ -6,9 +6,9 @@
 #include "presets/exporters.h"
 #include "presets/names.h"
 #include "presets/preset_file.h"
+#include "render/files/load.h"
 #include "render/measure/methods.h"
 #include "render/volume/builtin.h"
-#include "render/volume/load.h"
 #include "ui/mode_text.h"
 
 namespace crest {

@@ -5,8 +5,8 @@
 #include "presets/preset_file.h"
 #include "render/classify/classification.h"
 #include "render/classify/peak_table.h"
+#include "render/files/load.h"
 #include "render/volume/filter_bounds.h"
-#include "render/volume/load.h"
 
 namespace crest {
 namespace {

@@ -7,7 +7,7 @@
 #include "presets/json.h"
 #include "presets/names.h"
 #include "render/measure/timing.h"
-#include "render/raycaster/limits.h"
+#include "render/scene/limits.h"
 
 namespace crest {
 

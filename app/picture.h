@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "render/image.h"
+#include "render/files/image.h"
 #include "render/renderer.h"
 
 namespace crest {

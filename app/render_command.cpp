@@ -6,7 +6,7 @@
 #include "app/picture.h"
 #include "app/scene_options.h"
 #include "presets/json.h"
-#include "render/volume/load.h"
+#include "render/files/load.h"
 
 namespace crest {
 namespace {

@@ -9,8 +9,8 @@
 #include "presets/error.h"
 #include "presets/names.h"
 #include "presets/preset_file.h"
-#include "render/camera.h"
 #include "render/gl/render_target.h"
+#include "render/scene/camera.h"
 
 namespace crest {
 namespace {

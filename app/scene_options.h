@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/options.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 namespace crest {
 

@@ -12,7 +12,7 @@
 #include "presets/error.h"
 #include "presets/json.h"
 #include "render/reference/reference.h"
-#include "render/stability/table.h"
+#include "render/studies/stability/table.h"
 
 namespace crest {
 namespace {

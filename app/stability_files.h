@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "presets/json_text.h"
-#include "render/stability/row.h"
+#include "render/studies/stability/row.h"
 
 namespace crest {
 

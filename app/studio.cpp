@@ -8,8 +8,8 @@
 #include "app/scene_options.h"
 #include "presets/error.h"
 #include "presets/preset_file.h"
-#include "render/camera.h"
-#include "render/volume/load.h"
+#include "render/files/load.h"
+#include "render/scene/camera.h"
 
 namespace crest {
 namespace {
@@ -94,8 +94,7 @@ void Studio::take_loaded_volume() {
   if (!loading_.valid() || loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   try {
     Loaded fresh = loading_.get();
-    views_.renderer().classification(
-        make_scene(fresh.volume, document_.preset));  // the driver must hold it, too
+    views_.renderer().hold(fresh.volume);  // the driver must hold it, too
     loaded_ = std::move(fresh);
     if (!loading_for_undo_) document_.volume_source = loaded_.source;
     recent_.add(loaded_.source);
@@ -159,7 +158,7 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.save_preset) save_preset_to(*requests.save_preset);
   if (requests.open_volume) start_loading(*requests.open_volume);
   if (requests.reload_shaders) {
-    views_.renderer().reload_shaders();
+    views_.renderer().resources().programs.reload();
     views_.invalidate();
   }
   if (requests.measure) *requests.measure ? sweep_.switch_on() : sweep_.switch_off();
@@ -243,7 +242,8 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   views_.work(view_requests(requests), render_ms, interactive);
   tell_view_error();
   update_sweep(requests, interactive);
-  if (!views_.renderer().shader_error().empty()) say(views_.renderer().shader_error(), true);
+  if (const std::string& error = views_.renderer().resources().programs.error(); !error.empty())
+    say(error, true);
 }
 
 }  // namespace crest

@@ -12,7 +12,7 @@
 #include "presets/atomic_file.h"
 #include "presets/error.h"
 #include "presets/preset_file.h"
-#include "render/volume/load.h"
+#include "render/files/load.h"
 #include "ui/style.h"
 
 namespace crest {

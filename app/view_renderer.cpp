@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "render/measure/timing.h"
-#include "render/raycaster/limits.h"
+#include "render/scene/limits.h"
 
 namespace crest {
 namespace {

@@ -1,15 +1,18 @@
 #include "render/renderer.h"
 
+#include "render/resources/classification.h"
+#include "render/resources/volume_texture.h"
+
 namespace crest {
 
 Renderer::Renderer(std::filesystem::path shader_folder)
-    : shader_folder_(std::move(shader_folder)), raycaster_(shader_folder_) {}
-
-Vdls& Renderer::vdls() { return vdls_ ? *vdls_ : vdls_.emplace(shader_folder_); }
+    : resources_(std::make_shared<Resources>(std::move(shader_folder))),
+      raycaster_(resources_),
+      vdls_(resources_) {}
 
 void Renderer::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
   if (scene.rendering.engine == Engine::vdls)
-    vdls().draw(scene, camera, target, tile);
+    vdls_.draw(scene, camera, target, tile);
   else
     raycaster_.draw(scene, camera, target, tile);
 }
@@ -29,21 +32,21 @@ std::vector<PixelCounts> Renderer::draw_counts(const Scene& scene, const Camera&
 }
 
 PictureNeed Renderer::need(const Scene& scene, const Camera& camera, glm::ivec2 size) {
-  if (scene.rendering.engine == Engine::vdls) return vdls().need(scene, size);
+  if (scene.rendering.engine == Engine::vdls) return vdls_.need(scene, size);
   const Need need = raycaster_.need(scene, camera, size, false);
-  PictureNeed result{need.list, gpu_data(need, *scene.volume, raycaster_.classification(scene)), {}};
+  PictureNeed result{need.list, gpu_data(need, *scene.volume, classification(scene)), {}};
   if (need.features.dvr && !need.features.preintegrated) result.tf_error = need.tf_table.error;
   return result;
 }
 
-void Renderer::reload_shaders() {
-  raycaster_.reload_shaders();
-  if (vdls_) vdls_->reload_shaders();
+const Classification& Renderer::classification(const Scene& scene) {
+  resources_->held.begin_round();
+  return classification_of(resources_->held, scene);
 }
 
-const std::string& Renderer::shader_error() const {
-  const std::string& error = raycaster_.shader_error();
-  return error.empty() && vdls_ ? vdls_->shader_error() : error;
+void Renderer::hold(const std::shared_ptr<const Volume>& volume) {
+  resources_->held.begin_round();
+  volume_texture(resources_->held, volume);
 }
 
 }  // namespace crest

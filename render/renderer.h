@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "render/raycaster/raycaster.h"
+#include "render/scene/picture_need.h"
 #include "render/vdls/vdls.h"
 
 namespace crest {
@@ -14,7 +15,7 @@ inline Rendering in_mode(Rendering rendering, Mode mode) {
   return rendering;
 }
 
-/// Draws a scene with the engine that its settings name. VDLS comes to be when it is first chosen; the exact
+/// Draws a scene with the engine that its settings name; both hold one copy of what they share. The exact
 /// answer is not an engine of the GPU: where it is named, the ray caster draws. A GL 4.5 context must be
 /// current throughout.
 class Renderer {
@@ -31,20 +32,18 @@ class Renderer {
   /// What a picture of this size is made from.
   PictureNeed need(const Scene& scene, const Camera& camera, glm::ivec2 size);
   /// What the TF brings in this scene; it stays valid until the next draw or call with another scene.
-  const Classification& classification(const Scene& scene) { return raycaster_.classification(scene); }
+  const Classification& classification(const Scene& scene);
+  /// Uploads the volume. Throws Error where the driver cannot hold it.
+  void hold(const std::shared_ptr<const Volume>& volume);
 
+  Resources& resources() { return *resources_; }
   Raycaster& raycaster() { return raycaster_; }
-  Vdls& vdls();
-
-  /// Compiles every variant again when it is next needed. Where that fails, the last good one is kept, and
-  /// shader_error says why.
-  void reload_shaders();
-  const std::string& shader_error() const;
+  Vdls& vdls() { return vdls_; }
 
  private:
-  std::filesystem::path shader_folder_;
+  std::shared_ptr<Resources> resources_;
   Raycaster raycaster_;
-  std::optional<Vdls> vdls_;
+  Vdls vdls_;
 };
 
 }  // namespace crest

@@ -12,7 +12,7 @@
 
 #include "render/classify/peak_table.h"
 #include "render/classify/peaks.h"
-#include "render/picture_need.h"
+#include "render/scene/picture_need.h"
 #include "render/volume/volume.h"
 #include "ui/accuracy_results.h"
 #include "ui/document.h"

@@ -6,7 +6,7 @@
 #include "app/report/report_pictures.h"
 #include "presets/json.h"
 #include "presets/preset_json.h"
-#include "render/studies/knoll_variants.h"
+#include "render/studies/knoll/variants.h"
 
 namespace crest {
 namespace {

@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "app/report/knoll_study.h"
-#include "render/studies/knoll_variants.h"
+#include "render/studies/knoll/variants.h"
 
 namespace crest {
 namespace {

@@ -7,8 +7,8 @@
 #include "knoll_presets_embedded.h"
 #include "presets/error.h"
 #include "presets/preset_file.h"
-#include "render/camera.h"
-#include "render/volume/load.h"
+#include "render/files/load.h"
+#include "render/scene/camera.h"
 
 namespace crest {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/studies/knoll_scene.h"
+#include "render/studies/knoll/scene.h"
 
 namespace crest {
 

@@ -13,7 +13,7 @@
 #include "presets/error.h"
 #include "presets/json.h"
 #include "presets/preset_file.h"
-#include "render/studies/knoll_variants.h"
+#include "render/studies/knoll/variants.h"
 
 namespace crest {
 namespace {

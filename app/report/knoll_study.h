@@ -7,8 +7,8 @@
 #include "app/report/knoll_scenes.h"
 #include "app/report/studies.h"
 #include "presets/json_text.h"
-#include "render/studies/knoll_claims.h"
-#include "render/studies/knoll_results.h"
+#include "render/studies/knoll/claims.h"
+#include "render/studies/knoll/results.h"
 
 namespace crest {
 

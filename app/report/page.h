@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "presets/json_text.h"
-#include "render/image.h"
+#include "render/files/image.h"
 
 namespace crest {
 

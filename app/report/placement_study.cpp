@@ -11,7 +11,7 @@
 #include "presets/error.h"
 #include "presets/json.h"
 #include "presets/names.h"
-#include "render/volume/load.h"
+#include "render/files/load.h"
 
 namespace crest {
 namespace {

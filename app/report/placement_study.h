@@ -5,8 +5,8 @@
 
 #include "app/report/studies.h"
 #include "presets/json_text.h"
-#include "render/studies/plane_placement.h"
-#include "render/studies/volume_placement.h"
+#include "render/studies/placement/plane_placement.h"
+#include "render/studies/placement/volume_placement.h"
 
 namespace crest {
 

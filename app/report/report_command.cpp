@@ -16,7 +16,7 @@
 #include "presets/json.h"
 #include "presets/names.h"
 #include "presets/preset_file.h"
-#include "render/volume/load.h"
+#include "render/files/load.h"
 
 namespace crest {
 namespace {

@@ -12,7 +12,7 @@
 #include "presets/error.h"
 #include "presets/json.h"
 #include "presets/names.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "render/volume/builtin.h"
 
 namespace crest {

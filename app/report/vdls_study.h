@@ -6,7 +6,7 @@
 #include "app/report/studies.h"
 #include "presets/json_text.h"
 #include "render/measure/image_error.h"
-#include "render/studies/vdls_performance.h"
+#include "render/studies/vdls/performance.h"
 
 namespace crest {
 

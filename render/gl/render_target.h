@@ -2,8 +2,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "render/files/image.h"
 #include "render/gl/handle.h"
-#include "render/image.h"
 
 namespace crest::gl {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "render/image.h"
+#include "render/files/image.h"
 
 namespace crest {
 

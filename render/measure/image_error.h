@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/image.h"
+#include "render/files/image.h"
 #include "render/reference/reference.h"
 
 namespace crest {

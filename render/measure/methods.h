@@ -7,7 +7,7 @@
 
 #include "presets/preset.h"
 #include "render/reference/answer.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 namespace crest {
 

@@ -13,7 +13,7 @@
 #include "render/measure/methods.h"
 #include "render/measure/plan.h"
 #include "render/reference/reference.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 namespace crest {
 

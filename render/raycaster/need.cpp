@@ -9,9 +9,9 @@
 #include "presets/error.h"
 #include "render/classify/antiderivatives.h"
 #include "render/classify/peak_table.h"
-#include "render/raycaster/illumination.h"
 #include "render/raycaster/scenery.h"
-#include "render/view.h"
+#include "render/scene/view.h"
+#include "render/shader_inputs/illumination.h"
 #include "render/volume/macrocells.h"
 
 namespace crest {

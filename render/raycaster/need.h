@@ -9,25 +9,11 @@
 
 #include "render/classify/classification.h"
 #include "render/classify/tf_table.h"
-#include "render/raycaster/features.h"
+#include "render/scene/picture_need.h"
+#include "render/shader_inputs/features.h"
 #include "render/volume/volume.h"
 
 namespace crest {
-
-/// For people: what is in a picture, and what was left out of it, with the reason.
-struct FeatureList {
-  std::vector<std::string> in;
-  std::vector<std::pair<std::string, std::string>> left_out;
-  std::vector<std::string> notes;  ///< what the picture cannot show as it is
-  bool operator==(const FeatureList&) const = default;
-};
-
-/// What the graphics device holds for a picture.
-struct GpuData {
-  std::string name, size;  ///< "transfer_function", "641 entries"
-  std::size_t bytes = 0;
-  bool operator==(const GpuData&) const = default;
-};
 
 /// All that a picture is made from: the shader's variant, the tables, the textures and the passes.
 struct Need {

@@ -1,25 +1,28 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "render/gl/handle.h"
 #include "render/gl/render_target.h"
-#include "render/picture_cost.h"
 #include "render/raycaster/need.h"
-#include "render/scene.h"
+#include "render/resources/resources.h"
+#include "render/scene/picture_cost.h"
+#include "render/scene/scene.h"
 
 namespace crest {
 
-/// The single-pass ray caster. It keeps what the last scenes needed (the volume's texture, the TF's tables,
-/// the shader variants) and rebuilds only what changed. A GL 4.5 context must be current throughout.
+/// The single-pass ray caster: it decides what a picture needs, binds that, and draws. A GL 4.5 context must
+/// be current throughout.
 class Raycaster {
  public:
-  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself.
+  /// With all that it makes kept in `resources`.
+  explicit Raycaster(std::shared_ptr<Resources> resources);
+  /// With resources of its own.
   explicit Raycaster(std::filesystem::path shader_folder = {});
-  ~Raycaster();
-  Raycaster(Raycaster&&) noexcept;
 
   /// Draws a tile of the picture that `camera` sees. With a target that has counts, they are counted. Throws
   /// Error for a volume that the driver cannot hold, or a shader that does not compile and has no last good
@@ -35,8 +38,6 @@ class Raycaster {
   /// The same, summed over all pixels.
   RenderCounts draw_counted(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
 
-  /// What the TF brings in this scene; it stays valid until the next draw or call with another scene.
-  const Classification& classification(const Scene& scene);
   /// What a picture of this size is made from.
   Need need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics);
   /// Its features, where the whole volume is in view.
@@ -45,14 +46,18 @@ class Raycaster {
   /// From now on: for tests and measurements.
   void force(const Forced& forced);
 
-  /// Compiles every variant again when it is next needed. Where that fails, the last good one is kept, and
-  /// shader_error says why.
-  void reload_shaders();
-  const std::string& shader_error() const;
+  Resources& resources() { return *resources_; }
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  Need find_need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics);
+  void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
+            const std::function<void(int pass)>& after_pass);
+  void draw_passes(const Scene& scene, const Camera& camera, const gl::RenderTarget& target,
+                   const Need& needs, const std::function<void(int pass)>& after_pass);
+
+  std::shared_ptr<Resources> resources_;
+  gl::VertexArrayHandle vertex_array_;
+  Forced forced_;
 };
 
 }  // namespace crest

@@ -5,9 +5,9 @@
 #include <glm/common.hpp>
 
 #include "render/classify/peak_table.h"
-#include "render/raycaster/illumination.h"
-#include "render/raycaster/largest_change.h"
-#include "render/view.h"
+#include "render/scene/view.h"
+#include "render/shader_inputs/illumination.h"
+#include "render/volume/largest_change.h"
 #include "render/volume/macrocells.h"
 
 namespace crest {

@@ -9,9 +9,9 @@
 
 #include "presets/error.h"
 #include "presets/names.h"
-#include "render/camera.h"
-#include "render/raycaster/occupancy.h"
-#include "render/view.h"
+#include "render/classify/occupancy.h"
+#include "render/scene/camera.h"
+#include "render/scene/view.h"
 
 namespace crest {
 namespace {

@@ -3,8 +3,8 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "render/camera.h"
 #include "render/reference/cell_walk.h"
+#include "render/scene/camera.h"
 #include "render/volume/clip.h"
 
 namespace crest::reference {

@@ -6,9 +6,9 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "render/image.h"
+#include "render/files/image.h"
 #include "render/reference/answer.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 #include "render/volume/builtin.h"
 
 namespace crest {

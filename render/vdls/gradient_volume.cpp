@@ -8,7 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/gtc/type_precision.hpp>
 
-#include "render/raycaster/volume_texture.h"
+#include "render/resources/volume_key.h"
+#include "render/resources/volume_texture.h"
 
 namespace crest {
 namespace {
@@ -41,7 +42,10 @@ double greatest_component(const Volume& volume) {
   return std::max({per_unit.x, per_unit.y, per_unit.z});
 }
 
-}  // namespace
+struct GradientsKey : VolumeKey {
+  using VolumeKey::VolumeKey;
+  bool operator==(const GradientsKey&) const = default;
+};
 
 gl::TextureHandle upload_gradients(const Volume& volume) {
   constexpr double most = 32767;
@@ -54,6 +58,15 @@ gl::TextureHandle upload_gradients(const Volume& volume) {
     codes[index] = glm::i16vec4(glm::round(scale * gradient_at(volume, p)), 0);
   });
   return upload_3d(dims, GL_RGBA16_SNORM, GL_RGBA, GL_SHORT, codes.data(), GL_LINEAR);
+}
+
+}  // namespace
+
+GLuint gradient_texture(KeyedCache& held, const std::shared_ptr<const Volume>& volume) {
+  return held
+      .get(GradientsKey(volume), volume->grid.point_count() * sizeof(glm::i16vec4),
+           [&] { return upload_gradients(*volume); })
+      .id();
 }
 
 }  // namespace crest

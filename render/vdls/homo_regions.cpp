@@ -7,6 +7,8 @@
 #include <bit>
 #include <glm/common.hpp>
 
+#include "render/resources/volume_key.h"
+
 namespace crest {
 namespace {
 
@@ -73,6 +75,11 @@ void add_slab(Runs& runs, const Volume& volume, int k) {
   }
 }
 
+struct HomoRegionsKey : VolumeKey {
+  using VolumeKey::VolumeKey;
+  bool operator==(const HomoRegionsKey&) const = default;
+};
+
 }  // namespace
 
 ValueRange HomoRegions::values_of(int bucket) const {
@@ -92,6 +99,10 @@ HomoRegions find_homo_regions(const Volume& volume) {
         return a;
       });
   return {volume.statistics.range, Runs(runs).buckets()};
+}
+
+const HomoRegions& homo_regions(KeyedCache& held, const std::shared_ptr<const Volume>& volume) {
+  return held.get(HomoRegionsKey(volume), sizeof(HomoRegions), [&] { return find_homo_regions(*volume); });
 }
 
 Box visible_box(const HomoRegions& homo, const Grid& grid,

@@ -4,6 +4,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 
+#include "render/resources/keyed_cache.h"
 #include "render/volume/clip.h"
 
 namespace crest {
@@ -25,6 +26,9 @@ struct HomoRegions {
 
 /// A volume without empty cells.
 HomoRegions find_homo_regions(const Volume& volume);
+
+/// The same, held.
+const HomoRegions& homo_regions(KeyedCache& held, const std::shared_ptr<const Volume>& volume);
 
 /// The box around all regions of which `is_visible(values)` holds, in world units: the proxy for space
 /// leaping. Empty where none is.

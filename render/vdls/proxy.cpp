@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 namespace crest {
 namespace {

@@ -9,12 +9,13 @@
 
 #include "presets/error.h"
 #include "presets/names.h"
-#include "render/gl/program_cache.h"
+#include "render/classify/stored_units.h"
 #include "render/gl/uniforms.h"
-#include "render/raycaster/illumination.h"
-#include "render/raycaster/table_textures.h"
-#include "render/raycaster/view_uniforms.h"
-#include "render/raycaster/volume_texture.h"
+#include "render/resources/table_textures.h"
+#include "render/resources/volume_texture.h"
+#include "render/shader_inputs/features.h"
+#include "render/shader_inputs/illumination.h"
+#include "render/shader_inputs/view_uniforms.h"
 #include "render/vdls/gradient_volume.h"
 #include "render/vdls/homo_regions.h"
 #include "render/vdls/layer_textures.h"
@@ -58,39 +59,32 @@ struct Leaves {
 
 }  // namespace
 
-struct Vdls::State {
-  explicit State(std::filesystem::path shader_folder) : programs(std::move(shader_folder)) {}
-
-  gl::ProgramCache programs;
-  gl::VertexArrayHandle vertex_array;
-
-  std::shared_ptr<const Volume> volume;
+/// A scene with what the engine makes of its volume and its TF.
+struct Vdls::Prepared {
+  const Scene& scene;
+  const Volume& volume;
   StoredUnits units;  ///< of the volume's texture
-  gl::TextureHandle values, gradients;
-  std::optional<HomoRegions> homo;
-
-  std::optional<TransferFunction> shown;
+  ValueRange field;
   TfTableSize table_size;
-  TfTexture tf;
-  std::optional<Box> visible;    ///< what homo-regions leave of the volume,
-  Illumination visible_by = {};  ///< for this filter
+  const TfTexture& tf;
 
-  LayerTextures layers;
-  VdlsWork work;
-
-  void take(const Scene& scene);
-  Box visible_part(const Rendering& rendering);
-  bool is_shaded(const Rendering& rendering) const {
-    return rendering.shading == Shading::gradient && !shows_values(rendering.illumination);
+  Box box() const { return rendered_box(volume.grid, scene.rendering.clip_box); }
+  bool is_shaded() const {
+    return scene.rendering.shading == Shading::gradient && !shows_values(scene.rendering.illumination);
   }
-  GLuint setup_program(const Rendering& rendering, bool counts);
-  GLuint layers_program(const Rendering& rendering);
-  void bind_volume(const Scene& scene, GLuint program);
-  std::vector<std::uint32_t> set_up(const Scene& scene, const Camera& camera, const gl::RenderTarget& target);
-  Proxy make_proxy(const Scene& scene, const Camera& camera, glm::ivec2 size,
-                   const std::vector<std::uint32_t>& counts);
-  void draw_layers(const Scene& scene, const Camera& camera, glm::ivec2 size, const Proxy& proxy);
 };
+
+Vdls::Prepared Vdls::prepare(const Scene& scene) {
+  const Volume& volume = *scene.volume;
+  const ValueRange field = volume.statistics.range;
+  const StoredUnits units = stored_units(field);
+  const double spacing = volume.grid.smallest_spacing();
+  const TfTableSize size =
+      tf_table_size(scene.tf, field, spacing, glm::length(volume.grid.box_size()) / spacing);
+  const TfTexture& tf =
+      tf_texture(resources_->held, units.stored(scene.tf), units.stored(field), spacing, size.entries);
+  return {scene, volume, units, field, size, tf};
+}
 
 std::string why_not_vdls(const Scene& scene) {
   const Rendering defaults, &r = scene.rendering;
@@ -113,75 +107,56 @@ std::string why_not_vdls(const Scene& scene) {
   return "";
 }
 
-void Vdls::State::take(const Scene& scene) {
-  if (volume != scene.volume) {
-    shown.reset();
-    volume.reset();
-    homo.reset();
-    gradients = {};
-    values = {};  // the old one's room first
-    units = stored_units(scene.volume->statistics.range);
-    values = upload_volume(*scene.volume, units);
-    volume = scene.volume;
-  }
-  if (shown == scene.tf) return;
-  const ValueRange field = volume->statistics.range;
-  const double spacing = volume->grid.smallest_spacing();
-  table_size = tf_table_size(scene.tf, field, spacing, glm::length(volume->grid.box_size()) / spacing);
-  tf = upload_tf(units.stored(scene.tf), units.stored(field), spacing, table_size.entries);
-  shown = scene.tf;
-  visible.reset();
-}
-
 // A bucket is visible if the TF shows a value in it, or within an entry of its table, which interpolates.
-Box Vdls::State::visible_part(const Rendering& rendering) {
-  const Grid& grid = volume->grid;
+Box Vdls::visible_part(const Prepared& p) {
+  const Rendering& rendering = p.scene.rendering;
   const Illumination illumination = rendering.illumination;
+  const Grid& grid = p.volume.grid;
   if (!rendering.vdls.homo_regions || !rendering.skipping || shows_values(illumination))
     return {grid.box_min(), grid.box_max()};
-  if (visible && visible_by == illumination) return *visible;
-  visible_by = illumination;
-  if (!homo) homo = find_homo_regions(*volume);
-  const double entry = 1.001 * tf.range.width() / (tf.entries - 1) / units.scale;
+  const HomoRegions& homo = homo_regions(resources_->held, p.scene.volume);
+  const double entry = 1.001 * p.tf.range.width() / (p.tf.entries - 1) / p.units.scale;
   const double least =
-      illumination == Illumination::iso_surface ? (1 - 1e-6) * iso_opacity(*shown, homo->range) : 0;
-  return visible.emplace(visible_box(*homo, grid, [&](ValueRange bucket) {
-    const double opacity = largest_opacity(*shown, {bucket.min - entry, bucket.max + entry});
+      illumination == Illumination::iso_surface ? (1 - 1e-6) * iso_opacity(p.scene.tf, homo.range) : 0;
+  return visible_box(homo, grid, [&](ValueRange bucket) {
+    const double opacity = largest_opacity(p.scene.tf, {bucket.min - entry, bucket.max + entry});
     return opacity > 0 && opacity >= least;
-  }));
+  });
 }
 
-GLuint Vdls::State::setup_program(const Rendering& rendering, bool counts) {
+GLuint Vdls::setup_program(const Rendering& rendering, bool counts) {
   Features features;
   features.illumination = rendering.illumination;
   std::vector<std::string> defines = shader_defines(features);
   defines.push_back(fmt::format("COUNTS {:d}", counts));
   defines.push_back(fmt::format("BACK_TO_FRONT {:d}", rendering.vdls.back_to_front));
-  return programs.program("fullscreen.vert", "vdls_setup.frag", defines);
+  return resources_->programs.program("fullscreen.vert", "vdls_setup.frag", defines);
 }
 
-GLuint Vdls::State::layers_program(const Rendering& rendering) {
+GLuint Vdls::layers_program(const Prepared& p) {
+  const Rendering& rendering = p.scene.rendering;
   Features features;
   features.dvr = true;
-  features.shading = is_shaded(rendering);
+  features.shading = p.is_shaded();
   features.illumination = rendering.illumination;
   std::vector<std::string> defines = shader_defines(features);
   defines.push_back(fmt::format("LAYERS {}", rendering.vdls.layers_per_pass));
   defines.push_back(fmt::format("GRADIENT_VOLUME {:d}", features.shading && rendering.vdls.gradient_volume));
   defines.push_back(fmt::format("EARLY_TEST {:d}", rendering.vdls.early_test));
   defines.push_back(fmt::format("BACK_TO_FRONT {:d}", rendering.vdls.back_to_front));
-  return programs.program("vdls_proxy.vert", "vdls_layers.frag", defines);
+  return resources_->programs.program("vdls_proxy.vert", "vdls_layers.frag", defines);
 }
 
 /// Begins the picture; returns each leaf's greatest sample count.
-std::vector<std::uint32_t> Vdls::State::set_up(const Scene& scene, const Camera& camera,
-                                               const gl::RenderTarget& target) {
+std::vector<std::uint32_t> Vdls::set_up(const Prepared& p, const Camera& camera,
+                                        const gl::RenderTarget& target) {
+  const Scene& scene = p.scene;
   const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
   std::vector<std::uint32_t> counts(leaves.count());
   const gl::BufferHandle buffer = make_buffer(counts.size() * sizeof counts[0], counts.data());
   const GLuint program = setup_program(scene.rendering, target.has_counts());
-  const Grid& grid = volume->grid;
-  const Box part = visible_part(scene.rendering);
+  const Grid& grid = p.volume.grid;
+  const Box part = visible_part(p);
   set_view(program, scene, camera, target.size());
   set(program, "fixed_unit", fixed_unit(grid));
   set(program, "fraction_bits", fraction_bits(scene));
@@ -189,7 +164,7 @@ std::vector<std::uint32_t> Vdls::State::set_up(const Scene& scene, const Camera&
   set(program, "leaves", leaves.on_axis);
   set(program, "visible_min", glm::vec3((part.min - grid.origin) / grid.smallest_spacing()));
   set(program, "visible_max", glm::vec3((part.max - grid.origin) / grid.smallest_spacing()));
-  glBindFramebuffer(GL_FRAMEBUFFER, layers.setup_framebuffer());
+  glBindFramebuffer(GL_FRAMEBUFFER, layers_.setup_framebuffer());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, leaf_counts_binding, buffer.id());
   glUseProgram(program);
   glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -198,101 +173,102 @@ std::vector<std::uint32_t> Vdls::State::set_up(const Scene& scene, const Camera&
   return counts;
 }
 
-Proxy Vdls::State::make_proxy(const Scene& scene, const Camera& camera, glm::ivec2 size,
-                              const std::vector<std::uint32_t>& counts) {
-  work = {};
+Proxy Vdls::make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size,
+                       const std::vector<std::uint32_t>& counts) {
+  const Scene& scene = p.scene;
+  work_ = {};
   Proxy proxy;
   if (scene.rendering.vdls.leaves > 0) {
     const Leaves leaves(size, scene.rendering.vdls.leaves);
-    work.nodes = screen_quadtree(counts, leaves.on_axis, leaves.side, scene.rendering.vdls.merge_threshold);
-    proxy = proxy_of(work.nodes);
+    work_.nodes = screen_quadtree(counts, leaves.on_axis, leaves.side, scene.rendering.vdls.merge_threshold);
+    proxy = proxy_of(work_.nodes);
   } else {
-    Box box = rendered_box(volume->grid, scene.rendering.clip_box);
-    const Box part = visible_part(scene.rendering);
+    Box box = p.box();
+    const Box part = visible_part(p);
     box = {glm::max(box.min, part.min), glm::min(box.max, part.max)};
     proxy = proxy_of(box, camera, size, int(std::ranges::max(counts)));
   }
   const int per_pass = scene.rendering.vdls.layers_per_pass;
   const auto passes_through = [&](int count) { return (count + per_pass - 1) / per_pass; };
-  work.layers = proxy.layers();
-  work.passes = passes_through(work.layers);
-  for (const ScreenNode& node : work.nodes) {
+  work_.layers = proxy.layers();
+  work_.passes = passes_through(work_.layers);
+  for (const ScreenNode& node : work_.nodes) {
     const glm::dvec2 part = glm::min(node.begin + node.side, size) - node.begin;
-    work.drawn_samples += part.x * part.y * passes_through(node.layers) * per_pass;
+    work_.drawn_samples += part.x * part.y * passes_through(node.layers) * per_pass;
   }
   return proxy;
 }
 
-void Vdls::State::bind_volume(const Scene& scene, GLuint program) {
-  glBindTextureUnit(volume_unit, values.id());
+void Vdls::bind_volume(const Prepared& p, GLuint program) {
+  KeyedCache& held = resources_->held;
+  glBindTextureUnit(volume_unit, volume_texture(held, p.scene.volume));
   set(program, "volume", int(volume_unit));
-  bind_tf_texture(program, tf, tf_unit);
-  bind_illumination(program, scene, units);
-  if (!is_shaded(scene.rendering)) return;
+  bind_tf_texture(program, p.tf, tf_unit);
+  bind_illumination(program, p.scene, p.units);
+  if (!p.is_shaded()) return;
   set(program, "shading_strength", 1.0f);
-  if (!scene.rendering.vdls.gradient_volume) return;
-  if (!gradients) gradients = upload_gradients(*volume);
-  glBindTextureUnit(gradients_unit, gradients.id());
+  if (!p.scene.rendering.vdls.gradient_volume) return;
+  glBindTextureUnit(gradients_unit, gradient_texture(held, p.scene.volume));
   set(program, "gradients", int(gradients_unit));
 }
 
-void Vdls::State::draw_layers(const Scene& scene, const Camera& camera, glm::ivec2 size, const Proxy& proxy) {
+void Vdls::draw_layers(const Prepared& p, const Camera& camera, glm::ivec2 size, const Proxy& proxy) {
+  const Scene& scene = p.scene;
   const gl::BufferHandle corners =
       make_buffer(proxy.corners.size() * sizeof proxy.corners[0], proxy.corners.data());
-  glVertexArrayVertexBuffer(vertex_array.id(), 0, corners.id(), 0, sizeof proxy.corners[0]);
-  const GLuint program = layers_program(scene.rendering);
+  glVertexArrayVertexBuffer(vertex_array_.id(), 0, corners.id(), 0, sizeof proxy.corners[0]);
+  const GLuint program = layers_program(p);
   set_view(program, scene, camera, size);
-  set(program, "fixed_unit", fixed_unit(volume->grid));
+  set(program, "fixed_unit", fixed_unit(p.volume.grid));
   set(program, "fraction_bits", fraction_bits(scene));
   set(program, "picture_size", glm::vec2(size));
-  bind_volume(scene, program);
-  glBindTextureUnit(delta_unit, layers.delta_vectors());
+  bind_volume(p, program);
+  glBindTextureUnit(delta_unit, layers_.delta_vectors());
   set(program, "delta_vectors", int(delta_unit));
   set(program, "layer_samples", int(layer_unit));
   glUseProgram(program);
   glEnablei(GL_BLEND, 0);
   set_blending(scene.rendering.illumination, scene.rendering.vdls.back_to_front);
-  for (int pass = 0; pass < work.passes; ++pass) {
+  for (int pass = 0; pass < work_.passes; ++pass) {
     const int layer = pass * scene.rendering.vdls.layers_per_pass;
-    glBindTextureUnit(layer_unit, layers.layer_samples(pass));
-    glBindFramebuffer(GL_FRAMEBUFFER, layers.pass_framebuffer(pass));
+    glBindTextureUnit(layer_unit, layers_.layer_samples(pass));
+    glBindFramebuffer(GL_FRAMEBUFFER, layers_.pass_framebuffer(pass));
     set(program, "first_layer", layer);
     glDrawArrays(GL_TRIANGLES, 0, proxy.corners_beyond(layer));
   }
   glDisable(GL_BLEND);
 }
 
-Vdls::Vdls(std::filesystem::path shader_folder) : state_(std::make_unique<State>(std::move(shader_folder))) {
+Vdls::Vdls(std::shared_ptr<Resources> resources) : resources_(std::move(resources)) {
   GLuint id = 0;
   glCreateVertexArrays(1, &id);
-  state_->vertex_array = gl::VertexArrayHandle(id);
+  vertex_array_ = gl::VertexArrayHandle(id);
   glEnableVertexArrayAttrib(id, 0);
   glVertexArrayAttribFormat(id, 0, 2, GL_FLOAT, GL_FALSE, 0);
   glVertexArrayAttribBinding(id, 0, 0);
 }
-Vdls::~Vdls() = default;
-Vdls::Vdls(Vdls&&) noexcept = default;
 
 void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
   if (const std::string why = why_not_vdls(scene); !why.empty()) throw Error(why);
-  State& s = *state_;
-  s.take(scene);
-  s.layers.attach(target);
+  resources_->held.begin_round();
+  const Prepared prepared = prepare(scene);
+  layers_.attach(target);
   glViewport(0, 0, target.size().x, target.size().y);
   glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
   glEnable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
-  glBindVertexArray(s.vertex_array.id());
-  const auto counts = s.set_up(scene, camera, target);
-  const Proxy proxy = s.make_proxy(scene, camera, target.size(), counts);
-  if (proxy.layers() > 0) s.draw_layers(scene, camera, target.size(), proxy);
+  glBindVertexArray(vertex_array_.id());
+  const auto counts = set_up(prepared, camera, target);
+  const Proxy proxy = make_proxy(prepared, camera, target.size(), counts);
+  if (proxy.layers() > 0) draw_layers(prepared, camera, target.size(), proxy);
   glDisable(GL_SCISSOR_TEST);
 }
 
 PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
-  state_->take(scene);
+  resources_->held.begin_round();
+  const Prepared prepared = prepare(scene);
   const VdlsOptions& o = scene.rendering.vdls;
   PictureNeed need;
   const auto add = [&](bool in, const char* name, const std::string& why_not) {
@@ -313,28 +289,24 @@ PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
   add(o.leaves > 0, "screen_quadtree", off);
   add(o.early_test, "early_outside_volume_test", off);
   add(o.layers_per_pass > 1, "segmented_traversal", off);
-  const bool shading = state_->is_shaded(scene.rendering);
+  const bool shading = prepared.is_shaded();
   const std::string unshaded = values_alone ? illumination : "rendering.shading is none";
   add(shading, "shading", unshaded);
   add(shading && o.gradient_volume, "gradient_volume", shading ? off : unshaded);
   add(false, "early_termination", "a layer does not see what lies before it");
 
-  const glm::ivec3 dims = state_->volume->grid.dims;
+  const glm::ivec3 dims = prepared.volume.grid.dims;
   need.gpu_data.push_back({"volume", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
-                           state_->volume->grid.point_count() * sizeof(float)});
+                           prepared.volume.grid.point_count() * sizeof(float)});
   if (shading && o.gradient_volume)
     need.gpu_data.push_back({"gradients", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
-                             state_->volume->grid.point_count() * 4 * sizeof(GLshort)});
-  need.gpu_data.push_back({"transfer_function", fmt::format("{} entries", state_->table_size.entries),
-                           std::size_t(state_->table_size.entries) * 4 * sizeof(float)});
+                             prepared.volume.grid.point_count() * 4 * sizeof(GLshort)});
+  need.gpu_data.push_back({"transfer_function", fmt::format("{} entries", prepared.table_size.entries),
+                           std::size_t(prepared.table_size.entries) * 4 * sizeof(float)});
   need.gpu_data.push_back(
       {"layers", fmt::format("3 x {}x{} pixels", size.x, size.y), LayerTextures::bytes(size)});
-  need.tf_error = state_->table_size.error;
+  need.tf_error = prepared.table_size.error;
   return need;
 }
-
-const VdlsWork& Vdls::last_work() const { return state_->work; }
-void Vdls::reload_shaders() { state_->programs.reload(); }
-const std::string& Vdls::shader_error() const { return state_->programs.error(); }
 
 }  // namespace crest

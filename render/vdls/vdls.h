@@ -1,14 +1,16 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "render/gl/render_target.h"
-#include "render/picture_cost.h"
-#include "render/picture_need.h"
-#include "render/scene.h"
+#include "render/resources/resources.h"
+#include "render/scene/picture_cost.h"
+#include "render/scene/picture_need.h"
+#include "render/scene/scene.h"
+#include "render/vdls/layer_textures.h"
+#include "render/vdls/proxy.h"
 #include "render/vdls/quadtree.h"
 
 namespace crest {
@@ -23,14 +25,11 @@ struct VdlsWork {
 /// The engine of view-dependent layer sampling: instead of ray by ray it renders the samples of all rays
 /// layer by layer, a pass of the graphics pipeline for some layers at a time, as rendering.vdls says.
 /// Samples, TF and shading are the ray caster's in DVR_ONLY, so that both give the same picture to float
-/// rounding. It keeps what the last scene needed and rebuilds only what changed. A GL 4.5 context must be
-/// current throughout.
+/// rounding. A GL 4.5 context must be current throughout.
 class Vdls {
  public:
-  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself.
-  explicit Vdls(std::filesystem::path shader_folder = {});
-  ~Vdls();
-  Vdls(Vdls&&) noexcept;
+  /// With all that it makes kept in `resources`.
+  explicit Vdls(std::shared_ptr<Resources> resources);
 
   /// Draws a tile of the picture that `camera` sees. With a target that has counts, they are counted; all
   /// samples are DVR's. Throws Error for a scene that VDLS does not render (why_not_vdls), a volume that the
@@ -39,14 +38,25 @@ class Vdls {
 
   /// What a picture of this size is made from.
   PictureNeed need(const Scene& scene, glm::ivec2 size);
-  const VdlsWork& last_work() const;
-
-  void reload_shaders();
-  const std::string& shader_error() const;
+  const VdlsWork& last_work() const { return work_; }
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  struct Prepared;
+  Prepared prepare(const Scene& scene);
+  Box visible_part(const Prepared& p);
+  GLuint setup_program(const Rendering& rendering, bool counts);
+  GLuint layers_program(const Prepared& p);
+  /// Begins the picture; returns each leaf's greatest sample count.
+  std::vector<std::uint32_t> set_up(const Prepared& p, const Camera& camera, const gl::RenderTarget& target);
+  Proxy make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size,
+                   const std::vector<std::uint32_t>& counts);
+  void bind_volume(const Prepared& p, GLuint program);
+  void draw_layers(const Prepared& p, const Camera& camera, glm::ivec2 size, const Proxy& proxy);
+
+  std::shared_ptr<Resources> resources_;
+  gl::VertexArrayHandle vertex_array_;
+  LayerTextures layers_;
+  VdlsWork work_;
 };
 
 /// Why VDLS does not render a scene, as a sentence; empty where it does.

@@ -6,7 +6,7 @@
 
 #include "presets/json.h"
 #include "program.h"
-#include "render/image.h"
+#include "render/files/image.h"
 
 namespace crest::test {
 namespace {

@@ -1,7 +1,7 @@
 #include <unistd.h>
 
 #include "program.h"
-#include "render/image.h"
+#include "render/files/image.h"
 
 namespace crest::test {
 namespace {

@@ -3,7 +3,7 @@
 #include "page.h"
 #include "presets/json.h"
 #include "program.h"
-#include "render/image.h"
+#include "render/files/image.h"
 
 namespace crest::test {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "render/camera.h"
 #include "render/measure/timing.h"
 #include "render/raycaster/raycaster.h"
+#include "render/scene/camera.h"
 #include "tests/benchmark/feature_cases.h"
 
 namespace crest::bench {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "render/camera.h"
 #include "render/raycaster/raycaster.h"
+#include "render/scene/camera.h"
 #include "render/volume/builtin.h"
 
 namespace crest::bench {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/raycaster/need.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 namespace crest::bench {
 

@@ -1,4 +1,4 @@
-#include "render/raycaster/occupancy.h"
+#include "render/classify/occupancy.h"
 
 #include <gtest/gtest.h>
 

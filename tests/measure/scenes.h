@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 namespace crest::testing {
 

@@ -5,8 +5,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "render/camera.h"
 #include "render/classify/peaks.h"
+#include "render/scene/camera.h"
 #include "render/volume/volume.h"
 
 namespace crest::testing {

@@ -9,8 +9,8 @@
 #include <memory>
 
 #include "app/offscreen_context.h"
-#include "render/camera.h"
 #include "render/raycaster/raycaster.h"
+#include "render/scene/camera.h"
 
 namespace crest::testing {
 

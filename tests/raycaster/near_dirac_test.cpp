@@ -1,7 +1,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "render/volume/load.h"
+#include "render/files/load.h"
 #include "tests/paths.h"
 #include "tests/raycaster/brute_force.h"
 #include "tests/raycaster/fixture.h"

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "presets/names.h"
-#include "render/raycaster/macrocell_store.h"
 #include "render/reference/reference.h"
+#include "render/resources/macrocell_texture.h"
 #include "tests/raycaster/fixture.h"
 #include "tests/raycaster/random_view.h"
 
@@ -20,9 +20,9 @@ constexpr double rounding = 5e-6;
 Need need_of(const View& view, const Forced& forced = {}, bool statistics = false) {
   const auto& [volume, tf, rendering] = view.scene;
   const Classification classification = classify(tf, surface_range(view.scene));
-  MacrocellStore macrocells;
+  KeyedCache held(1 << 20);
   const auto occupied_share = [&](const Features& features, const TableBlur& blur) {
-    return macrocells.occupied_share(*volume, classification, rendering, features, blur);
+    return crest::occupied_share(held, {view.scene, classification, features, blur});
   };
   return find_need(*volume, classification, rendering, view.camera, size, statistics, forced, occupied_share);
 }

@@ -4,7 +4,7 @@
 
 #include "presets/names.h"
 #include "presets/preset_file.h"
-#include "render/studies/segments.h"
+#include "render/studies/placement/segments.h"
 #include "render/volume/builtin.h"
 #include "tests/raycaster/brute_force.h"
 #include "tests/raycaster/fixture.h"

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "render/raycaster/stored_units.h"
+#include "render/classify/stored_units.h"
 #include "tests/raycaster/fixture.h"
 
 namespace crest::testing {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "render/volume/random.h"
 
 namespace crest::testing {

@@ -41,17 +41,17 @@ TEST_F(Shaders, FailedReloadKeepsTheLastGoodProgram) {
   std::ifstream file(folder / "compositing.glsl");
   for (std::string line; std::getline(file, line);) ++lines;
   append("compositing.glsl", "float wrong = nothing_like_this;\n");
-  from_folder.reload_shaders();
+  from_folder.resources().programs.reload();
   from_folder.draw(scene, camera, target);
   EXPECT_EQ(target.read_color().pixels, good.pixels);
-  EXPECT_NE(from_folder.shader_error().find("compositing.glsl:" + std::to_string(lines + 1)),
+  EXPECT_NE(from_folder.resources().programs.error().find("compositing.glsl:" + std::to_string(lines + 1)),
             std::string::npos)
-      << from_folder.shader_error();
+      << from_folder.resources().programs.error();
   fs::copy_file(test::source_folder() / "render/shaders/compositing.glsl", folder / "compositing.glsl",
                 fs::copy_options::overwrite_existing);
-  from_folder.reload_shaders();
+  from_folder.resources().programs.reload();
   from_folder.draw(scene, camera, target);
-  EXPECT_EQ(from_folder.shader_error(), "");
+  EXPECT_EQ(from_folder.resources().programs.error(), "");
 }
 
 TEST_F(Shaders, FirstFailureIsAnError) {

@@ -8,8 +8,8 @@
 
 #include "presets/atomic_file.h"
 #include "presets/error.h"
-#include "render/camera.h"
 #include "render/reference/cache.h"
+#include "render/scene/camera.h"
 #include "tests/reference/rays.h"
 
 namespace crest::testing {

@@ -4,8 +4,8 @@
 #include <random>
 
 #include "presets/names.h"
-#include "render/camera.h"
 #include "render/classify/classification.h"
+#include "render/scene/camera.h"
 #include "tests/raycaster/brute_force.h"
 #include "tests/raycaster/reconstruct.h"
 #include "tests/reference/rays.h"

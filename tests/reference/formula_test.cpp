@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "tests/reference/rays.h"
 
 // Formulas have solutions of their own, or are the trilinear field itself.

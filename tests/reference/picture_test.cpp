@@ -6,7 +6,7 @@
 
 #include "presets/error.h"
 #include "presets/preset_file.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "tests/reference/rays.h"
 
 // Pictures as a whole: progress and cancelling, sizes, and what 32-bit float costs.

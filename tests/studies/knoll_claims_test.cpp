@@ -1,4 +1,4 @@
-#include "render/studies/knoll_claims.h"
+#include "render/studies/knoll/claims.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "render/studies/knoll_sampling.h"
+#include "render/studies/knoll/sampling.h"
 
 #include <gtest/gtest.h>
 

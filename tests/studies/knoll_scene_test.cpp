@@ -1,4 +1,4 @@
-#include "render/studies/knoll_scene.h"
+#include "render/studies/knoll/scene.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include "presets/preset_file.h"
 #include "render/classify/peaks.h"
 #include "render/raycaster/step_lengths.h"
-#include "render/studies/knoll_variants.h"
+#include "render/studies/knoll/variants.h"
 #include "render/volume/builtin.h"
 
 namespace crest::testing {

@@ -1,4 +1,4 @@
-#include "render/studies/plane_placement.h"
+#include "render/studies/placement/plane_placement.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "presets/names.h"
-#include "render/studies/segments.h"
+#include "render/studies/placement/segments.h"
 
 namespace crest::testing {
 namespace {

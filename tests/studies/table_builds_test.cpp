@@ -1,4 +1,4 @@
-#include "render/studies/table_builds.h"
+#include "render/studies/knoll/table_builds.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "render/studies/vdls_performance.h"
+#include "render/studies/vdls/performance.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "render/studies/vdls_scenes.h"
+#include "render/studies/vdls/scenes.h"
 #include "render/volume/builtin.h"
 
 namespace crest {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 namespace crest {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "presets/error.h"
-#include "render/volume/load.h"
+#include "render/files/load.h"
 #include "render/volume/random.h"
 
 namespace crest::test {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <string>
+
+#include "render/files/file_request.h"
+#include "render/files/image.h"
+#include "render/volume/volume.h"
+
+namespace crest {
+
+/// The forms of volume files that need a library.
+enum class FileForm { nrrd, metaimage, nifti, mrc, vtk, dicom_file, dicom_series, image_pages, image_folder };
+
+/// What ITK and OpenImageIO do for Crest. They load some 260 libraries, which takes a third of a second: so
+/// they live in a library of their own (render/files), which is loaded when it is first asked for.
+struct FileLibrary {
+  /// Fills the grid, the values, the file's type, the direction and the note. Throws Error.
+  Volume (*read_volume)(FileForm form, const FileRequest& request);
+  bool (*has_dicom)(const std::filesystem::path& folder);
+  bool (*has_images)(const std::filesystem::path& folder);
+
+  /// An image file's bytes, in the format that `path` ends with: 8-bit RGB, or 32-bit float RGBA; row 0 at
+  /// the top. Throws Error.
+  std::string (*encode_rgb8)(const std::filesystem::path& path, glm::ivec2 size, const void* pixels);
+  std::string (*encode_rgba32f)(const std::filesystem::path& path, glm::ivec2 size, const void* pixels);
+  /// As read_image().
+  Image (*read_image)(const std::filesystem::path& path);
+};
+
+/// Throws Error when it cannot be loaded. Any thread may ask.
+const FileLibrary& file_library();
+
+}  // namespace crest

@@ -1,0 +1,54 @@
+#include "render/files/image.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "presets/atomic_file.h"
+#include "presets/error.h"
+#include "render/files/file_library.h"
+
+namespace crest {
+namespace {
+
+std::vector<std::uint8_t> rgb_bytes(const Image& image) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(image.pixels.size() * 3);
+  for (const auto& pixel : image.pixels)
+    for (int channel = 0; channel < 3; ++channel)
+      bytes.push_back(std::uint8_t(std::lround(255 * std::clamp(pixel[channel], 0.f, 1.f))));
+  return bytes;
+}
+
+std::string encode_png(const std::filesystem::path& path, const Image& image, glm::vec3 background) {
+  const auto bytes = rgb_bytes(over_background(image, background));
+  return file_library().encode_rgb8(path, image.size, bytes.data());
+}
+
+std::string encode_exr(const std::filesystem::path& path, const Image& image) {
+  return file_library().encode_rgba32f(path, image.size, image.pixels.data());
+}
+
+}  // namespace
+
+Image over_background(Image image, glm::vec3 background) {
+  for (auto& pixel : image.pixels) pixel = glm::vec4(glm::vec3(pixel) + (1 - pixel.a) * background, 1);
+  return image;
+}
+
+void write_image(const std::filesystem::path& path, const Image& image, glm::vec3 background) {
+  const auto extension = path.extension();
+  if (extension != ".png" && extension != ".exr")
+    throw Error(fmt::format("{}: a picture's name ends with .png or .exr", path.string()));
+  write_file_atomically(path,
+                        extension == ".png" ? encode_png(path, image, background) : encode_exr(path, image));
+}
+
+std::string png_of(const Image& image, glm::vec3 background) {
+  return encode_png("picture.png", image, background);
+}
+
+Image read_image(const std::filesystem::path& path) { return file_library().read_image(path); }
+
+}  // namespace crest

@@ -1,0 +1,156 @@
+#include "render/files/load.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <new>
+
+#include "presets/error.h"
+#include "render/files/file_library.h"
+#include "render/files/header_text.h"
+#include "render/files/raw_reader.h"
+#include "render/volume/builtin.h"
+
+namespace crest {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::string_view builtin_prefix = "builtin:";
+
+/// A kind of file, by the end of its name.
+struct Reader {
+  VolumeFormat format;  ///< its extensions: with dots, separated by spaces
+  Volume (*read)(const FileRequest&);
+};
+
+template <FileForm form>
+Volume read_form(const FileRequest& request) {
+  return file_library().read_volume(form, request);
+}
+
+constexpr Reader readers[] = {
+    {{"NRRD", ".nrrd .nhdr", "attached or detached header; raw, gzip, ascii or hex"},
+     read_form<FileForm::nrrd>},
+    {{"MetaImage", ".mha .mhd", "attached or detached header; raw or compressed"},
+     read_form<FileForm::metaimage>},
+    {{"NIfTI", ".nii .nii.gz", "version 1; slope and intercept are applied"}, read_form<FileForm::nifti>},
+    {{"MRC", ".mrc .map .rec .ccp4", "electron microscopy; modes 0, 1, 2 and 6"}, read_form<FileForm::mrc>},
+    {{"VTK", ".vtk", "legacy structured points, binary or ASCII"}, read_form<FileForm::vtk>},
+    {{"DICOM", ".dcm .dicom .ima",
+      "a folder with a series (?series=UID for one of several), or a multi-frame file"},
+     read_form<FileForm::dicom_file>},
+    {{"RAW", ".raw",
+      "?size=AxBxC&type=uint8&spacing=x,y,z&origin=x,y,z&endian=little|big&offset=bytes, or the same keys in "
+      "NAME.raw.json, or name_AxBxC_uint8.raw"},
+     read_raw},
+    {{"image stack", ".tif .tiff", "a multi-page file, or a folder of images sorted by name; ?spacing=x,y,z"},
+     read_form<FileForm::image_pages>},
+};
+
+const Reader* find_reader(const fs::path& path) {
+  const std::string file = lower(path.filename().string());
+  for (const Reader& reader : readers) {
+    for (const std::string& extension : words(reader.format.extensions)) {
+      if (file.ends_with(extension)) return &reader;
+    }
+  }
+  return nullptr;
+}
+
+/// "NAME?query": the longest NAME that there is, because a real file's name may hold a "?" too.
+std::pair<fs::path, std::string> split_source(const std::string& source) {
+  std::error_code ignored;
+  if (fs::exists(source, ignored)) return {source, ""};
+  for (std::size_t at = source.rfind('?'); at != std::string::npos && at > 0;
+       at = source.rfind('?', at - 1)) {
+    const fs::path path = source.substr(0, at);
+    if (fs::exists(path, ignored)) return {path, source.substr(at + 1)};
+  }
+  const fs::path path = source.substr(0, source.find('?'));
+  throw Error(fmt::format("{}: there is no such file or folder", path.string()));
+}
+
+Volume read_folder(const FileRequest& request) {
+  if (file_library().has_dicom(request.path)) return read_form<FileForm::dicom_series>(request);
+  if (file_library().has_images(request.path)) return read_form<FileForm::image_folder>(request);
+  throw Error(fmt::format("{}: a folder with neither a DICOM series nor images in it", request.name()));
+}
+
+Volume read_file_or_folder(const FileRequest& request) {
+  const std::string name = request.name();
+  if (access(request.path.c_str(), R_OK) != 0) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
+  if (fs::is_directory(request.path)) return read_folder(request);
+  if (!fs::is_regular_file(request.path)) throw Error(fmt::format("{}: neither a file nor a folder", name));
+  if (request.query.contains("size")) return read_raw(request);
+  if (const Reader* reader = find_reader(request.path)) return reader->read(request);
+  std::string known;
+  for (const Reader& reader : readers)
+    known += fmt::format("{}{}", known.empty() ? "" : " ", reader.format.extensions);
+  throw Error(
+      fmt::format("{}: its extension is not known; those read are {}; for raw voxels add "
+                  "?size=AxBxC&type=uint8",
+                  name, known));
+}
+
+/// With what the standard library throws (no permission for a folder, no memory after all) as Errors.
+Volume guarded(const FileRequest& request) {
+  try {
+    return read_file_or_folder(request);
+  } catch (const fs::filesystem_error& fault) {
+    throw Error(fmt::format("{}: {}", request.name(), fault.code().message()));
+  } catch (const std::bad_alloc&) {
+    throw Error(fmt::format("{}: reading it takes more memory than there is", request.name()));
+  }
+}
+
+/// Makes the geometry one that the renderer can use, and says so in the note.
+void repair_geometry(Volume& volume) {
+  const auto add_note = [&](const std::string& text) {
+    volume.note += (volume.note.empty() ? "" : "; ") + text;
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    double& spacing = volume.grid.spacing[axis];
+    const double given = spacing;
+    spacing = std::abs(spacing);
+    if (spacing > 0 && std::isfinite(spacing)) continue;
+    spacing = 1;
+    add_note(fmt::format("the file's spacing {} on axis {} is taken as 1", given, axis + 1));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    double& origin = volume.grid.origin[axis];
+    origin += 0.0;  // no -0
+    if (std::isfinite(origin)) continue;
+    add_note(fmt::format("the file's origin {} on axis {} is taken as 0", origin, axis + 1));
+    origin = 0;
+  }
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      if (!std::isfinite(volume.direction[column][row])) volume.direction = glm::dmat3(1);
+    }
+  }
+}
+
+}  // namespace
+
+std::string extension_of(const fs::path& path) { return lower(path.extension().string()); }
+
+std::vector<VolumeFormat> volume_formats() {
+  std::vector<VolumeFormat> formats;
+  for (const Reader& reader : readers) formats.push_back(reader.format);
+  return formats;
+}
+
+Volume load_volume(const std::string& source, std::uint64_t memory) {
+  if (source.starts_with(builtin_prefix)) return make_builtin(source.substr(builtin_prefix.size()), memory);
+  const auto [path, query] = split_source(source);
+  Volume volume = guarded({path, parse_query(path.string(), query), memory});
+  repair_geometry(volume);
+  volume.name = path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
+  volume.statistics = compute_statistics(volume.grid, volume.values);
+  return volume;
+}
+
+}  // namespace crest

@@ -1,0 +1,170 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <fstream>
+#include <limits>
+#include <optional>
+
+#include "presets/atomic_file.h"
+#include "presets/error.h"
+#include "presets/json.h"
+#include "render/files/raw_reader.h"
+#include "render/volume/convert.h"
+#include "render/volume/memory.h"
+
+namespace crest {
+namespace {
+
+constexpr std::string_view keys = "size,type,spacing,origin,endian,offset";
+constexpr std::string_view hint =
+    "say them as ?size=AxBxC&type=uint8, in a sidecar NAME.raw.json, or in the name (name_AxBxC_uint8.raw)";
+
+std::optional<glm::u64vec3> to_size(std::string_view text) {
+  const auto parts = split(text, 'x');
+  if (parts.size() != 3) return std::nullopt;
+  glm::u64vec3 size;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto points = to_integer(parts[std::size_t(axis)]);
+    if (!points || *points < 0) return std::nullopt;
+    size[axis] = std::uint64_t(*points);
+  }
+  return size;
+}
+
+std::optional<ScalarType> to_type(std::string_view text) {
+  using enum ScalarType;
+  for (const ScalarType type : {uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64}) {
+    if (text == name_of(type)) return type;
+  }
+  return std::nullopt;
+}
+
+/// What a name in the manner of Open SciVis says: name_256x256x256_uint8.raw.
+Query query_from_name(const std::string& stem) {
+  const auto parts = split(stem, '_');
+  if (parts.size() < 2) return {};
+  const std::string_view size = parts[parts.size() - 2], type = parts.back();
+  if (!to_size(size) || !to_type(type)) return {};
+  return {{"size", std::string(size)}, {"type", std::string(type)}};
+}
+
+/// A sidecar's value as the query would have it: "64x64x93", [64, 64, 93], "uint8", 16.
+std::string as_query_text(const nlohmann::json& value, std::string_view separator) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const auto& item : value) {
+    if (!text.empty()) text += separator;
+    text += item.dump();
+  }
+  return text;
+}
+
+Query query_from_sidecar(const std::filesystem::path& sidecar) {
+  constexpr std::size_t size_limit = 1 << 20;
+  const auto json = nlohmann::json::parse(read_file(sidecar, size_limit), nullptr, false);
+  if (!json.is_object()) throw Error(fmt::format("{}: not a JSON object with {}", sidecar.string(), keys));
+  Query query;
+  for (const auto& [key, value] : json.items()) query[key] = as_query_text(value, key == "size" ? "x" : ",");
+  require_known_keys(sidecar.string(), query, keys);
+  return query;
+}
+
+/// The query wins over the sidecar, and that over the name.
+Query gather(const FileRequest& request) {
+  Query query = request.query;
+  require_known_keys(request.name(), query, keys);
+  const std::filesystem::path sidecar = request.name() + ".json";
+  if (std::filesystem::exists(sidecar)) query.merge(query_from_sidecar(sidecar));
+  query.merge(query_from_name(request.path.stem().string()));
+  return query;
+}
+
+const std::string* find(const Query& query, std::string_view key) {
+  const auto found = query.find(key);
+  return found == query.end() ? nullptr : &found->second;
+}
+
+glm::u64vec3 parse_size(const std::string& name, const Query& query) {
+  const std::string* text = find(query, "size");
+  if (!text) throw Error(fmt::format("{}: raw voxels of unknown size; {}", name, hint));
+  if (const auto size = to_size(*text)) return *size;
+  throw Error(fmt::format("{}: size={} is not like 256x256x128", name, *text));
+}
+
+ScalarType parse_type(const std::string& name, const Query& query) {
+  const std::string* text = find(query, "type");
+  if (!text) throw Error(fmt::format("{}: raw voxels of unknown type; {}", name, hint));
+  if (const auto type = to_type(*text)) return *type;
+  throw Error(fmt::format("{}: type={} is not one of uint8, int8 ... int64, float32, float64", name, *text));
+}
+
+glm::dvec3 parse_vector(const std::string& name, const Query& query, std::string_view key,
+                        glm::dvec3 fallback) {
+  const std::string* text = find(query, key);
+  if (!text) return fallback;
+  const auto vector = to_vector(*text, ',');
+  if (!vector) throw Error(fmt::format("{}: {}={} is not three numbers like 1,1,2.5", name, key, *text));
+  return *vector;
+}
+
+std::endian parse_endian(const std::string& name, const Query& query) {
+  const std::string* text = find(query, "endian");
+  if (!text || *text == "little") return std::endian::little;
+  if (*text == "big") return std::endian::big;
+  throw Error(fmt::format("{}: endian={} is neither little nor big", name, *text));
+}
+
+void require_byte_count(const FileRequest& request, glm::u64vec3 size, ScalarType type,
+                        std::uint64_t offset) {
+  const std::uint64_t promised = offset + size.x * size.y * size.z * size_of(type);
+  const std::uint64_t held = std::filesystem::file_size(request.path);
+  if (promised == held) return;
+  throw Error(fmt::format("{}: {}x{}x{} voxels of {} after {} bytes are {} bytes, and the file holds {}",
+                          request.name(), size.x, size.y, size.z, name_of(type), offset, promised, held));
+}
+
+/// Block by block, so that the file's bytes are never all in memory.
+std::vector<float> read_values(const FileRequest& request, std::size_t count, ScalarType type,
+                               std::endian endian, std::uint64_t offset) {
+  constexpr std::size_t block = std::size_t(1) << 20;
+  std::ifstream file(request.path, std::ios::binary);
+  file.seekg(std::streamoff(offset));
+  std::vector<float> values(count);
+  std::vector<std::byte> bytes(std::min(block, count) * size_of(type));
+  for (std::size_t done = 0; done < count; done += block) {
+    const std::size_t points = std::min(block, count - done);
+    const std::span<std::byte> part = std::span(bytes).first(points * size_of(type));
+    if (!file.read(reinterpret_cast<char*>(part.data()), std::streamsize(part.size()))) {
+      throw Error(fmt::format("{}: it could not be read to its end", request.name()));
+    }
+    if (endian != std::endian::native) swap_bytes(part, size_of(type));
+    convert_to_float(part, type, 1, std::span(values).subspan(done, points));
+  }
+  return values;
+}
+
+}  // namespace
+
+Volume read_raw(const FileRequest& request) {
+  const std::string name = request.name();
+  const Query query = gather(request);
+  const glm::u64vec3 size = parse_size(name, query);
+  const ScalarType type = parse_type(name, query);
+  const std::endian endian = parse_endian(name, query);
+  const auto offset = std::uint64_t(integer_in(name, query, "offset", 0, 0, std::int64_t(1) << 60));
+
+  Volume volume;
+  volume.file_type = type;
+  volume.grid.spacing = parse_vector(name, query, "spacing", glm::dvec3(1));
+  volume.grid.origin = parse_vector(name, query, "origin", glm::dvec3(0));
+  require_memory(name, size, sizeof(double), std::numeric_limits<std::uint64_t>::max());
+  require_byte_count(request, size, type, offset);
+  require_memory(name, size, 0, request.memory);
+  volume.grid.dims = glm::ivec3(size);
+  volume.values = read_values(request, volume.grid.point_count(), type, endian, offset);
+  return volume;
+}
+
+}  // namespace crest

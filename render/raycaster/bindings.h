@@ -1,0 +1,17 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include "render/raycaster/need.h"
+#include "render/resources/keyed_cache.h"
+#include "render/scene/scene.h"
+
+namespace crest {
+
+/// Gives a variant of the ray caster, made for need.features, all that it reads of the scene: textures,
+/// buffers, and the uniforms that go with them. What is not held yet is made. Throws Error where the driver
+/// has no room.
+void bind_scene(KeyedCache& held, const Scene& scene, const Classification& classification, const Need& need,
+                GLuint program);
+
+}  // namespace crest

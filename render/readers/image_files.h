@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "render/files/image.h"
+
+namespace crest {
+
+// As FileLibrary says.
+std::string encode_rgb8(const std::filesystem::path& path, glm::ivec2 size, const void* pixels);
+std::string encode_rgba32f(const std::filesystem::path& path, glm::ivec2 size, const void* pixels);
+Image read_image_file(const std::filesystem::path& path);
+
+}  // namespace crest

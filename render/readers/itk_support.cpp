@@ -1,0 +1,81 @@
+#include "render/readers/itk_support.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <new>
+
+#include "presets/error.h"
+#include "render/files/header_text.h"
+#include "render/readers/silence.h"
+
+namespace crest {
+namespace {
+
+/// An exception's text without the object that ITK begins it with.
+std::string without_object(std::string text) {
+  const std::size_t object = text.find("): ");
+  if (text.starts_with("ITK ERROR") && object != std::string::npos) text.erase(0, object + 3);
+  return one_line(text);
+}
+
+}  // namespace
+
+void with_itk(const std::string& name, const std::function<void()>& work) {
+  const Silence silence;
+  try {
+    work();
+  } catch (const itk::ExceptionObject& e) {
+    throw Error(fmt::format("{}: it could not be read: {}", name, without_object(e.GetDescription())));
+  } catch (const std::bad_alloc&) {
+    throw Error(fmt::format("{}: reading it takes more memory than there is", name));
+  } catch (const std::exception& e) {
+    throw Error(fmt::format("{}: it could not be read: {}", name, one_line(e.what())));
+  }
+}
+
+ScalarType scalar_type(const std::string& name, itk::CommonEnums::IOComponent component) {
+  using enum itk::CommonEnums::IOComponent;
+  static_assert(sizeof(long) == 8);
+  switch (component) {
+    case UCHAR:
+      return ScalarType::uint8;
+    case CHAR:
+      return ScalarType::int8;
+    case USHORT:
+      return ScalarType::uint16;
+    case SHORT:
+      return ScalarType::int16;
+    case UINT:
+      return ScalarType::uint32;
+    case INT:
+      return ScalarType::int32;
+    case ULONG:
+    case ULONGLONG:
+      return ScalarType::uint64;
+    case LONG:
+    case LONGLONG:
+      return ScalarType::int64;
+    case FLOAT:
+      return ScalarType::float32;
+    case DOUBLE:
+      return ScalarType::float64;
+    default:
+      break;
+  }
+  throw Error(fmt::format("{}: its voxels are of a type ({}) that is not read; int8 to float64 are", name,
+                          itk::ImageIOBase::GetComponentTypeAsString(component)));
+}
+
+void take_geometry(const itk::ImageIOBase& io, Volume& volume) {
+  for (unsigned axis = 0; axis < std::min(3u, io.GetNumberOfDimensions()); ++axis) {
+    volume.grid.spacing[int(axis)] = io.GetSpacing(axis);
+    volume.grid.origin[int(axis)] = io.GetOrigin(axis);
+    const std::vector<double> cosines = io.GetDirection(axis);
+    for (unsigned row = 0; row < std::min<std::size_t>(3, cosines.size()); ++row) {
+      volume.direction[int(axis)][int(row)] = cosines[row];
+    }
+  }
+}
+
+}  // namespace crest

@@ -1,0 +1,142 @@
+#include <fmt/core.h>
+
+#include <map>
+
+#include "presets/error.h"
+#include "render/files/header_text.h"
+#include "render/readers/headers.h"
+#include "render/volume/query.h"
+
+namespace crest {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct NrrdText {
+  std::map<std::string, std::string> fields;
+  std::vector<std::string> file_list;  ///< the lines after "data file: LIST"
+  std::size_t end = 0;                 ///< where an attached header ends
+  bool attached = false;
+};
+
+NrrdText parse(const std::string& name, std::string_view head) {
+  if (!head.starts_with("NRRD000"))
+    throw Error(fmt::format("{}: not an NRRD file: it does not begin with NRRD000", name));
+  NrrdText text;
+  HeaderLines lines(head);
+  for (std::string_view line; lines.next(line);) {
+    if (line.empty()) {
+      text.attached = !text.fields.contains("data file");
+      break;
+    }
+    if (line.starts_with('#')) continue;
+    const std::size_t colon = line.find(':');
+    if (colon != std::string_view::npos && line.substr(colon).starts_with(": ")) {
+      std::string key = lower(trim(line.substr(0, colon)));
+      if (key == "datafile") key = "data file";
+      std::erase(key, '\t');
+      text.fields[key] = trim(line.substr(colon + 1));
+    } else if (text.fields.contains("data file") && colon == std::string_view::npos) {
+      text.file_list.emplace_back(line);
+    }
+  }
+  text.end = lines.position();
+  if (!text.attached && !text.fields.contains("data file")) {
+    throw Error(fmt::format("{}: the NRRD header has neither an end (an empty line) nor a data file", name));
+  }
+  return text;
+}
+
+Encoding encoding_of(const std::string& name, const std::string& text) {
+  const std::string encoding = lower(text);
+  if (encoding == "raw") return Encoding::raw;
+  if (encoding == "gzip" || encoding == "gz") return Encoding::deflate;
+  if (encoding == "ascii" || encoding == "text" || encoding == "txt") return Encoding::decimal;
+  if (encoding == "hex") return Encoding::hexadecimal;
+  throw Error(fmt::format("{}: NRRD encoding \"{}\" is not read; raw, gzip, ascii and hex are", name, text));
+}
+
+std::vector<fs::path> voxel_files(const std::string& name, const fs::path& folder, const NrrdText& text) {
+  const std::string& value = text.fields.at("data file");
+  const auto parts = words(value);
+  std::vector<fs::path> files;
+  if (!parts.empty() && parts[0] == "LIST") {
+    for (const std::string& line : text.file_list) files.push_back(folder / line);
+  } else if (value.find('%') != std::string::npos) {
+    files = files_of_pattern(name, folder, parts);
+  } else {
+    files = {folder / value};
+  }
+  for (const fs::path& file : files) {
+    const std::string file_name = lower(file.filename().string());
+    if (file_name.ends_with(".nii") || file_name.ends_with(".nii.gz")) {
+      throw Error(fmt::format("{}: its data file {} is a NIfTI file: open that one", name, file.string()));
+    }
+    if (!fs::is_regular_file(file)) {
+      throw Error(fmt::format("{}: its data file {} is not there", name, file.string()));
+    }
+  }
+  return files;
+}
+
+std::int64_t skip_of(const std::string& name, const NrrdText& text, const std::string& key,
+                     std::int64_t least) {
+  const auto found = text.fields.find(key);
+  if (found == text.fields.end()) return 0;
+  const auto skip = to_integer(found->second);
+  if (!skip || *skip < least || *skip > std::int64_t(1) << 60) {
+    throw Error(fmt::format("{}: {}: {} is not a number from {} on", name, key, found->second, least));
+  }
+  return *skip;
+}
+
+/// Where the data begins after `count` lines from `offset` on.
+std::uint64_t after_lines(const std::string& name, const fs::path& file, std::uint64_t offset,
+                          std::int64_t count) {
+  if (count == 0) return offset;
+  const std::string head = read_head(file, std::size_t(offset) + longest_header);
+  HeaderLines lines(std::string_view(head).substr(std::min(std::size_t(offset), head.size())));
+  std::string_view line;
+  for (std::int64_t i = 0; i < count; ++i) {
+    if (!lines.next(line))
+      throw Error(fmt::format("{}: line skip: the file has no {} lines to skip", name, count));
+  }
+  return offset + lines.position();
+}
+
+}  // namespace
+
+FileHeader read_nrrd_header(const fs::path& path) {
+  const std::string name = path.string();
+  const NrrdText text = parse(name, read_head(path, longest_header));
+  for (const char* key : {"type", "dimension", "sizes", "encoding"}) {
+    if (!text.fields.contains(key)) throw Error(fmt::format("{}: the NRRD header has no \"{}\"", name, key));
+  }
+  const bool has_space = text.fields.contains("space") || text.fields.contains("space dimension");
+  const auto kinds = text.fields.find("kinds");
+  if (has_space && kinds != text.fields.end() && lower(kinds->second).find("time") != std::string::npos) {
+    throw Error(fmt::format(
+        "{}: a time axis beside a space is not read: without the lines that begin with \"space\", "
+        "?frame=0 takes the first frame",
+        name));
+  }
+  FileHeader header;
+  header.data.encoding = encoding_of(name, text.fields.at("encoding"));
+  if (text.attached) {
+    header.data.files = {path};
+    header.data.offset = text.end;
+  } else {
+    header.data.files = voxel_files(name, path.parent_path(), text);
+  }
+  std::int64_t line_skip = skip_of(name, text, "line skip", 0);
+  if (!text.fields.contains("line skip")) line_skip = skip_of(name, text, "lineskip", 0);
+  std::int64_t byte_skip = skip_of(name, text, "byte skip", -1);
+  if (!text.fields.contains("byte skip")) byte_skip = skip_of(name, text, "byteskip", -1);
+  if (header.data.files.size() == 1) {
+    header.data.offset = after_lines(name, header.data.files[0], header.data.offset, line_skip);
+  }
+  if (byte_skip > 0) header.data.skip = std::uint64_t(byte_skip);
+  return header;
+}
+
+}  // namespace crest

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "presets/error.h"
+
+namespace crest {
+
+/// Values of any type, held by what they were made of: the same key is never made twice while its value is
+/// held. Keys compare with ==; a value's type belongs to its key's type. A key with a member is_stale() is
+/// dropped when that is true. Holds few entries: each is looked at in turn.
+class KeyedCache {
+ public:
+  /// Above this the values that were used longest ago go; those of the current round stay whatever they take.
+  explicit KeyedCache(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
+
+  /// What is asked for from now on stays until the next call.
+  void begin_round() {
+    ++round_;
+    drop_while([](const Entry& e) { return e.is_stale(); }, [] { return true; });
+  }
+
+  /// The key's value: make(), which takes `bytes`, where none is held. It stays where it is for this round.
+  /// If make() throws Error, all that this round has not used is dropped, and it may try once more.
+  template <class Key, class Make>
+  const std::invoke_result_t<Make>& get(const Key& key, std::size_t bytes, const Make& make) {
+    using Value = std::invoke_result_t<Make>;
+    for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
+      auto* found = dynamic_cast<Held<Key, Value>*>(entry->get());
+      if (!found || !(found->key == key)) continue;
+      found->round = round_;
+      entries_.splice(entries_.begin(), entries_, entry);
+      return found->value;
+    }
+    drop_unused([&] { return bytes_ + bytes > limit_bytes_; });
+    entries_.push_front(std::make_unique<Held<Key, Value>>(key, made(make)));
+    Entry& entry = *entries_.front();
+    entry.bytes = bytes;
+    entry.round = round_;
+    bytes_ += bytes;
+    ++made_;
+    return static_cast<Held<Key, Value>&>(entry).value;
+  }
+
+  std::size_t bytes() const { return bytes_; }
+  std::size_t count() const { return entries_.size(); }
+  int made() const { return made_; }  ///< values in all, since the beginning
+
+ private:
+  struct Entry {
+    virtual ~Entry() = default;
+    virtual bool is_stale() const = 0;
+    std::size_t bytes = 0;
+    std::uint64_t round = 0;  ///< in which it was last asked for
+  };
+  template <class Key, class Value>
+  struct Held : Entry {
+    Held(Key k, Value v) : key(std::move(k)), value(std::move(v)) {}
+    bool is_stale() const override {
+      if constexpr (requires { key.is_stale(); })
+        return key.is_stale();
+      else
+        return false;
+    }
+    Key key;
+    Value value;
+  };
+
+  template <class Make>
+  std::invoke_result_t<Make> made(const Make& make) {
+    try {
+      return make();
+    } catch (const Error&) {
+      const std::size_t before = entries_.size();
+      drop_unused([] { return true; });
+      if (entries_.size() == before) throw;
+      return make();
+    }
+  }
+
+  template <class While>
+  void drop_unused(const While& goes_on) {
+    drop_while([&](const Entry& e) { return e.round != round_; }, goes_on);
+  }
+
+  /// Of the entries that `may_go`, from the one that was used longest ago.
+  template <class MayGo, class While>
+  void drop_while(const MayGo& may_go, const While& goes_on) {
+    for (auto entry = entries_.end(); entry != entries_.begin() && goes_on();) {
+      --entry;
+      if (!may_go(**entry)) continue;
+      bytes_ -= (*entry)->bytes;
+      entry = entries_.erase(entry);
+    }
+  }
+
+  std::list<std::unique_ptr<Entry>> entries_;  ///< the last used first
+  std::size_t limit_bytes_, bytes_ = 0;
+  std::uint64_t round_ = 0;
+  int made_ = 0;
+};
+
+}  // namespace crest

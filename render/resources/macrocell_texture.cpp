@@ -1,0 +1,93 @@
+#include "render/resources/macrocell_texture.h"
+
+#include <cmath>
+
+#include "render/resources/volume_key.h"
+#include "render/resources/volume_texture.h"
+
+namespace crest {
+namespace {
+
+struct MacrocellsKey : VolumeKey {
+  MacrocellsKey(const std::shared_ptr<const Volume>& volume, const FieldFilter& f)
+      : VolumeKey(volume), filter(f) {}
+  FieldFilter filter;
+  bool operator==(const MacrocellsKey&) const = default;
+};
+
+struct OccupancyKey : VolumeKey {
+  explicit OccupancyKey(const ShownParts& shown)
+      : VolumeKey(shown.scene.volume),
+        dvr_filter(crest::dvr_filter(shown.scene.rendering)),
+        root_filter(crest::root_filter(shown.scene.rendering)) {
+    const Classification& c = shown.classification;
+    if (shown.features.dvr) tf = shown.features.base_tf ? c.base : c.tf;
+    if (shown.features.dvr) blur = shown.blur;
+    if (shown.features.peaks) surfaces = c.surfaces;
+  }
+  FieldFilter dvr_filter, root_filter;
+  std::optional<TransferFunction> tf;
+  TableBlur blur;
+  std::optional<std::vector<Peak>> surfaces;
+  bool operator==(const OccupancyKey&) const = default;
+};
+
+struct TexelsKey : OccupancyKey {
+  explicit TexelsKey(const ShownParts& shown)
+      : OccupancyKey(shown), skipping(shown.features.skipping), adaptive(shown.features.adaptive) {}
+  bool skipping, adaptive;
+  bool operator==(const TexelsKey&) const = default;
+};
+
+std::size_t macrocell_count(const Volume& volume) {
+  const int side = macrocell_side(volume);
+  const glm::ivec3 dims = (volume.grid.dims - 2 + side) / side;
+  return std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(dims.z);
+}
+
+const Macrocells& macrocells(KeyedCache& held, const std::shared_ptr<const Volume>& volume,
+                             const FieldFilter& filter) {
+  return held.get(MacrocellsKey(volume, filter), macrocell_count(*volume) * 3 * sizeof(float),
+                  [&] { return build_macrocells(*volume, filter, macrocell_side(*volume)); });
+}
+
+const Occupancy& occupancy(KeyedCache& held, const ShownParts& parts) {
+  const auto& volume = parts.scene.volume;
+  const OccupancyKey key(parts);
+  return held.get(key, macrocell_count(*volume), [&] {
+    const auto shown_in = [&](const FieldFilter& filter, const Shown& shown) {
+      return find_occupancy(macrocells(held, volume, filter), shown,
+                            field_range(filter, volume->statistics.range));
+    };
+    const TransferFunction* tf = key.tf ? &*key.tf : nullptr;
+    const std::vector<Peak>* surfaces = key.surfaces ? &*key.surfaces : nullptr;
+    if (key.dvr_filter == key.root_filter) return shown_in(key.dvr_filter, {tf, key.blur, surfaces});
+    return either(shown_in(key.dvr_filter, {tf, key.blur, nullptr}),
+                  shown_in(key.root_filter, {nullptr, {}, surfaces}));
+  });
+}
+
+gl::TextureHandle upload(const Macrocells& cells, const Occupancy& shown, const Features& features,
+                         double volume_deviation) {
+  std::vector<std::uint8_t> multiples(cells.count(), 1);
+  if (features.adaptive) multiples = step_multiples(cells, volume_deviation);
+  if (features.skipping)
+    for (std::size_t i = 0; i < multiples.size(); ++i)
+      if (!shown.cells[i]) multiples[i] = 0;
+  return upload_3d(cells.dims, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, multiples.data(), GL_NEAREST);
+}
+
+}  // namespace
+
+double occupied_share(KeyedCache& held, const ShownParts& shown) { return occupancy(held, shown).share; }
+
+GLuint macrocell_texture(KeyedCache& held, const ShownParts& shown) {
+  const auto& volume = shown.scene.volume;
+  const auto make = [&] {
+    return upload(macrocells(held, volume, dvr_filter(shown.scene.rendering)), occupancy(held, shown),
+                  shown.features, std::sqrt(volume->statistics.variance));
+  };
+  return held.get(TexelsKey(shown), macrocell_count(*volume), make).id();
+}
+
+}  // namespace crest

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "render/classify/classification.h"
+#include "render/classify/occupancy.h"
+#include "render/gl/handle.h"
+#include "render/resources/keyed_cache.h"
+#include "render/scene/scene.h"
+#include "render/shader_inputs/features.h"
+
+namespace crest {
+
+/// What of a scene may show somewhere: the parts of it that the features name, through the tables' blur.
+struct ShownParts {
+  const Scene& scene;
+  const Classification& classification;
+  const Features& features;  ///< only dvr, base_tf, peaks, skipping and adaptive are looked at
+  const TableBlur& blur;     ///< as in Shown (classify/occupancy.h)
+};
+
+/// The share of the macrocells that may show something. Held are the macrocells, by volume and filter, and
+/// which of them show something, by what is shown.
+double occupied_share(KeyedCache& held, const ShownParts& shown);
+
+/// For features.skipping and features.adaptive: a texel (R8UI) a macrocell. It is how many steps are joined
+/// into one, or 0 where features.skipping and nothing in it shows.
+GLuint macrocell_texture(KeyedCache& held, const ShownParts& shown);
+
+/// The side of a macrocell, in cells of the grid.
+inline int macrocell_side(const Volume& volume) { return macrocell_side(volume.grid, volume.statistics); }
+
+}  // namespace crest

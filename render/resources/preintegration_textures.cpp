@@ -1,0 +1,66 @@
+#include "render/resources/preintegration_textures.h"
+
+namespace crest {
+namespace {
+
+gl::TextureHandle upload_rgba(GLsizei width, GLsizei height, GLint filter, const void* data) {
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &id);
+  gl::TextureHandle texture(id);
+  glTextureStorage2D(id, 1, GL_RGBA32F, width, height);
+  glTextureSubImage2D(id, 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, data);
+  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, filter);
+  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, filter);
+  glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+struct AntiderivativesKey {
+  TransferFunction tf;
+  ValueRange field;
+  double smallest_spacing;
+  int stretches;
+  bool operator==(const AntiderivativesKey&) const = default;
+};
+
+struct TableKey {
+  TransferFunction tf;
+  ValueRange field;
+  double smallest_spacing, length;
+  int bins;
+  bool operator==(const TableKey&) const = default;
+};
+
+AntiderivativesTexture upload(const Antiderivatives& table) {
+  static_assert(sizeof(Antiderivatives::Entry) == 4 * sizeof(glm::vec4));
+  const auto entries = GLsizei(table.entries.size());
+  return {upload_rgba(4, entries, GL_NEAREST, table.entries.data()), table.range, int(entries) - 2};
+}
+
+PreintegrationTexture upload(const PreintegrationTable& table) {
+  return {upload_rgba(table.bins, table.bins, GL_LINEAR, table.entries.data()), table.range, table.length,
+          table.bins};
+}
+
+}  // namespace
+
+const AntiderivativesTexture& antiderivatives_texture(KeyedCache& held, const TransferFunction& tf,
+                                                      ValueRange field, double smallest_spacing,
+                                                      int stretches) {
+  return held.get(AntiderivativesKey{tf, field, smallest_spacing, stretches},
+                  std::size_t(stretches + 2) * sizeof(Antiderivatives::Entry),
+                  [&] { return upload(build_antiderivatives(tf, field, smallest_spacing, stretches)); });
+}
+
+const PreintegrationTexture& preintegration_texture(KeyedCache& held, const TransferFunction& tf,
+                                                    ValueRange field, double smallest_spacing, double length,
+                                                    int bins) {
+  const auto make = [&] {
+    return upload(build_preintegration_table(tf, field, smallest_spacing, length, bins));
+  };
+  return held.get(TableKey{tf, field, smallest_spacing, length, bins},
+                  std::size_t(bins) * std::size_t(bins) * sizeof(glm::vec4), make);
+}
+
+}  // namespace crest

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "render/gl/program_cache.h"
+#include "render/resources/keyed_cache.h"
+
+namespace crest {
+
+/// Beyond what the drawn scene takes, so much is kept of the ones before it.
+inline constexpr std::size_t held_bytes = std::size_t(1) << 30;
+
+/// All that the engines of one GL context hold on the graphics device, and what is derived from a volume and
+/// a TF on the way there. The other files of this folder say what there is, and what each depends on. The
+/// context must be current whenever it is used, and when it dies.
+struct Resources {
+  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself.
+  explicit Resources(std::filesystem::path shader_folder = {}, std::size_t limit_bytes = held_bytes)
+      : programs(std::move(shader_folder)), held(limit_bytes) {}
+
+  gl::ProgramCache programs;
+  KeyedCache held;
+};
+
+}  // namespace crest

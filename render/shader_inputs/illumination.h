@@ -1,0 +1,28 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include "render/classify/stored_units.h"
+#include "render/scene/scene.h"
+
+namespace crest {
+
+/// Whether a filter shows values alone: it has no use for the TF, for shading, nor for skipping what the TF
+/// makes transparent.
+inline bool shows_values(Illumination illumination) {
+  return illumination == Illumination::maximum || illumination == Illumination::minimum ||
+         illumination == Illumination::mean;
+}
+
+/// The opacity from which on iso_surface takes a value for inside: half the TF's greatest in the field's
+/// range.
+double iso_opacity(const TransferFunction& tf, ValueRange field);
+
+/// What illumination.glsl asks of a program.
+void bind_illumination(GLuint program, const Scene& scene, const StoredUnits& units);
+
+/// How what is drawn joins what is there: from further back, or from nearer where `back_to_front`; or by the
+/// filter's own sum, maximum or minimum. Does not enable blending.
+void set_blending(Illumination illumination, bool back_to_front);
+
+}  // namespace crest
