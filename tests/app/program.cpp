@@ -53,7 +53,7 @@ Outcome ProgramTest::run(const std::vector<std::string>& arguments, const std::s
   std::string words = quoted(crest_program().string());
   for (const std::string& argument : arguments) words += fmt::format(" {}", quoted(argument));
   const std::string line = fmt::format(
-      "cd {} && unset DISPLAY && ({} exec timeout 60 {}) >{} 2>{}", quoted(folder_.string()), shell_prefix,
+      "cd {} && unset DISPLAY && ({} exec timeout 600 {}) >{} 2>{}", quoted(folder_.string()), shell_prefix,
       words, quoted((streams / "out").string()), quoted((streams / "err").string()));
   const int status = std::system(line.c_str());
   Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(streams / "out"),

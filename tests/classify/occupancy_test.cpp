@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <random>
 
 #include "render/classify/classification.h"
@@ -96,33 +95,6 @@ TEST(StepMultiples, AreThePapers) {
   Macrocells cells = cells_of(std::vector<ValueRange>(6));
   cells.deviation = {4, 2, 1, 0.5, 0.25, 0};
   EXPECT_EQ(step_multiples(cells, 1), (std::vector<std::uint8_t>{1, 2, 3, 5, 8, 8}));
-}
-
-// An edit of the TF brings 64^3 macrocells up to date in under a millisecond. As often as it takes: other
-// tests run at the same time.
-TEST(Occupancy, TakesLessThanAMillisecond) {
-  std::mt19937 random(5);
-  Macrocells cells;
-  cells.dims = glm::ivec3(64);
-  for (int i = 0; i < 64 * 64 * 64; ++i) {
-    const float min = std::uniform_real_distribution<float>(0, 1)(random);
-    cells.min.push_back(min);
-    cells.max.push_back(std::min(min + 0.05f, 1.0f));
-  }
-  const TransferFunction tf = tf_of({{0, 0}, {0.3, 0}, {0.31, 1}, {0.32, 0}, {1, 0}});
-  const Classification classification = classify(tf, {0, 1});
-  double best = 1e9;
-  for (int trial = 0; trial < 1000 && best >= 1; ++trial) {
-    const auto begin = std::chrono::steady_clock::now();
-    const Occupancy found = find_occupancy(cells, {.tf = &tf, .surfaces = &classification.surfaces}, {0, 1});
-    best = std::min(
-        best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
-    EXPECT_LT(found.share, 0.2);
-  }
-  printf("occupancy of 64^3 macrocells: %.2f ms\n", best);
-#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
-  EXPECT_LT(best, 1.0);
-#endif
 }
 
 }  // namespace
