@@ -1,4 +1,5 @@
-// The statistics that need the grid: how much neighbours differ, and where the empty cells are.
+#include "render/volume/differences.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
@@ -6,8 +7,6 @@
 #include <cfloat>
 #include <cmath>
 #include <glm/geometric.hpp>
-
-#include "render/volume/volume.h"
 
 namespace crest {
 namespace {
@@ -35,6 +34,8 @@ glm::dvec3 largest_in_slice(const glm::ivec3 dims, const std::vector<float>& val
   return largest;
 }
 
+}  // namespace
+
 glm::dvec3 largest_differences(const Grid& grid, const std::vector<float>& values) {
   return tbb::parallel_reduce(
       tbb::blocked_range<int>(0, grid.dims.z), glm::dvec3(0),
@@ -46,28 +47,18 @@ glm::dvec3 largest_differences(const Grid& grid, const std::vector<float>& value
       [](glm::dvec3 a, glm::dvec3 b) { return glm::max(a, b); });
 }
 
-/// The points around every point without a value.
-void find_empty_part(const glm::ivec3 dims, const std::vector<float>& values, VolumeStatistics& statistics) {
-  glm::ivec3 low = dims, high(-1);
+PointBox empty_part(const Grid& grid, const std::vector<float>& values) {
+  glm::ivec3 low = grid.dims, high(-1);
   std::size_t index = 0;
-  for (int k = 0; k < dims.z; ++k)
-    for (int j = 0; j < dims.y; ++j)
-      for (int i = 0; i < dims.x; ++i, ++index)
+  for (int k = 0; k < grid.dims.z; ++k)
+    for (int j = 0; j < grid.dims.y; ++j)
+      for (int i = 0; i < grid.dims.x; ++i, ++index)
         if (!std::isfinite(values[index])) {
           low = glm::min(low, glm::ivec3(i, j, k));
           high = glm::max(high, glm::ivec3(i, j, k));
         }
-  statistics.empty_min = glm::max(low - 1, glm::ivec3(0));
-  statistics.empty_max = glm::min(high + 1, dims - 1);
-}
-
-}  // namespace
-
-VolumeStatistics compute_statistics(const Grid& grid, const std::vector<float>& values, int bins) {
-  VolumeStatistics statistics = compute_statistics(values, bins);
-  statistics.largest_difference = largest_differences(grid, values);
-  if (statistics.nan_count + statistics.inf_count > 0) find_empty_part(grid.dims, values, statistics);
-  return statistics;
+  // The cells around a point reach to its neighbours
+  return {glm::max(low - 1, glm::ivec3(0)), glm::min(high + 1, grid.dims - 1)};
 }
 
 double largest_gradient(const Grid& grid, const VolumeStatistics& statistics) {

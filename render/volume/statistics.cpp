@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
+#include "render/volume/differences.h"
 #include "render/volume/volume.h"
 
 namespace crest {
@@ -63,7 +63,7 @@ Moments join(const Moments& a, const Moments& b) {
 
 }  // namespace
 
-VolumeStatistics compute_statistics(const std::vector<float>& values, int bins) {
+VolumeStatistics compute_statistics(const Grid& grid, const std::vector<float>& values, int bins) {
   const std::size_t chunks = (values.size() + chunk_size - 1) / chunk_size;
   std::vector<Moments> parts(chunks);
   tbb::parallel_for(std::size_t(0), chunks, [&](std::size_t c) {
@@ -80,9 +80,13 @@ VolumeStatistics compute_statistics(const std::vector<float>& values, int bins) 
     statistics.range = {all.min, all.max};
     statistics.mean = all.mean;
     statistics.variance = all.squares / double(all.finite);
-    statistics.largest_difference = glm::dvec3(statistics.range.width());
   }
-  if (all.nan + all.inf > 0) statistics.empty_max = glm::ivec3(std::numeric_limits<int>::max());
+  statistics.largest_difference = largest_differences(grid, values);
+  if (all.nan + all.inf > 0) {
+    const PointBox empty = empty_part(grid, values);
+    statistics.empty_min = empty.min;
+    statistics.empty_max = empty.max;
+  }
   statistics.histogram = histogram_of(values, statistics.range, bins);
   return statistics;
 }

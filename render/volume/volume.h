@@ -35,11 +35,9 @@ struct VolumeStatistics {
   double mean = 0, variance = 0;
   std::size_t nan_count = 0, inf_count = 0;
   std::vector<std::uint64_t> histogram;  ///< equal bins over the range, the last one closed
-  /// Between two finite neighbours along each axis; where no grid is known, the range's width, which no
-  /// difference exceeds.
+  /// Between two finite neighbours along each axis.
   glm::dvec3 largest_difference{0};
-  /// Between these grid points, both ends included, lie all empty cells; max < min when there is none. Where
-  /// no grid is known and a voxel has no value, everywhere.
+  /// Between these grid points, both ends included, lie all empty cells; max < min when there is none.
   glm::ivec3 empty_min{0}, empty_max{-1};
 };
 
@@ -66,8 +64,6 @@ inline constexpr int histogram_bins = 1024;
 /// `values` are those of the grid's points, x fastest.
 VolumeStatistics compute_statistics(const Grid& grid, const std::vector<float>& values,
                                     int bins = histogram_bins);
-/// Of values without a grid.
-VolumeStatistics compute_statistics(const std::vector<float>& values, int bins = histogram_bins);
 
 /// The greatest gradient, in value per world unit, that the trilinear field can have: within a cell each
 /// partial derivative is a mean of the differences along four edges.

@@ -36,7 +36,7 @@ TEST_F(ClipBoxes, IsACrop) {
   const auto full = std::make_shared<const Volume>(holed);
   for (const glm::ivec3 hole : {glm::ivec3(8, 6, 10), {3, 9, 14}, {12, 14, 21}})
     holed.values[std::size_t(hole.x + 24 * (hole.y + 24 * hole.z))] = std::numeric_limits<float>::quiet_NaN();
-  holed.statistics = compute_statistics(holed.values);
+  holed.statistics = compute_statistics(holed.grid, holed.values);
   for (const auto& whole : {full, std::make_shared<const Volume>(holed)}) {
     const auto part = cropped(*whole, first, last);
     const Camera camera = whole_volume_camera(whole->grid);

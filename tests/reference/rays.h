@@ -17,7 +17,7 @@ std::shared_ptr<const Volume> volume_of(glm::ivec3 dims, Field&& field, glm::dve
   for (int k = 0; k < dims.z; ++k)
     for (int j = 0; j < dims.y; ++j)
       for (int i = 0; i < dims.x; ++i) volume->values.push_back(float(field(i, j, k)));
-  volume->statistics = compute_statistics(volume->values);
+  volume->statistics = compute_statistics(volume->grid, volume->values);
   return volume;
 }
 

@@ -102,7 +102,7 @@ TEST(Differences, BoundTheTrilinearGradient) {
   EXPECT_DOUBLE_EQ(largest_gradient(ramp, compute_statistics(ramp, values)), 13);
 }
 
-TEST(Differences, OfExtremesAndOfNoGrid) {
+TEST(Differences, OfExtremes) {
   const Grid pair{{2, 2, 2}, glm::dvec3(1), glm::dvec3(0)};
   const std::vector<float> extreme{-FLT_MAX, FLT_MAX, 0, 0, NAN, INFINITY, -INFINITY, 0};
   const VolumeStatistics s = compute_statistics(pair, extreme);
@@ -111,8 +111,6 @@ TEST(Differences, OfExtremesAndOfNoGrid) {
   EXPECT_EQ(s.empty_max, glm::ivec3(1));
   const VolumeStatistics nothing = compute_statistics(pair, std::vector<float>(8, NAN));
   EXPECT_EQ(nothing.largest_difference, glm::dvec3(0));
-  EXPECT_EQ(compute_statistics({1, 5, 2}).largest_difference, glm::dvec3(4));
-  EXPECT_GT(compute_statistics({1, NAN}).empty_max.x, 1 << 30);
 }
 
 }  // namespace

@@ -275,7 +275,7 @@ std::vector<Row> step_at_a_label(Lab& lab) {
   Volume labels = *volume;
   labels.values.front() = 1;  // so that the range is that of the labels; the corner is out of the picture
   labels.values.back() = 3;
-  labels.statistics = compute_statistics(labels.values);
+  labels.statistics = compute_statistics(labels.grid, labels.values);
   const auto shared = std::make_shared<const Volume>(std::move(labels));
   Worst worst;
   std::vector<Image> pictures;

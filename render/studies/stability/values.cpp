@@ -35,7 +35,7 @@ VolumePtr gyroid_in_sixteen_steps() {
   Volume volume = *gyroid_in_levels();
   const ValueRange range = volume.statistics.range;
   for (float& value : volume.values) value = float(std::round(16 * (value - range.min) / range.width()) / 16);
-  volume.statistics = compute_statistics(volume.values);
+  volume.statistics = compute_statistics(volume.grid, volume.values);
   return std::make_shared<const Volume>(std::move(volume));
 }
 
@@ -99,7 +99,7 @@ std::vector<Row> signed_values(Lab& lab) {
     Volume volume = *gyroid;
     convert_to_float(std::as_bytes(std::span(stored)), type, 1, volume.values);
     volume.file_type = type;
-    volume.statistics = compute_statistics(volume.values);
+    volume.statistics = compute_statistics(volume.grid, volume.values);
     return std::make_shared<const Volume>(std::move(volume));
   };
   const VolumePtr as_signed = read(ScalarType::int16, 0), as_unsigned = read(ScalarType::uint16, 32768);
@@ -180,7 +180,7 @@ std::vector<Row> voxels_without_a_value(Lab& lab) {
     const double chance = random.uniform(0, 1);
     if (chance < 0.02) value = float(chance < 0.01 ? nan : chance < 0.015 ? inf : -inf);
   }
-  holed.statistics = compute_statistics(holed.values);
+  holed.statistics = compute_statistics(holed.grid, holed.values);
   const std::vector<Row> exact = rows_against_exact(lab, "NaN and Inf at random points",
                                                     std::make_shared<const Volume>(std::move(holed)), 0.3);
   rows.insert(rows.end(), exact.begin(), exact.end());

@@ -78,7 +78,7 @@ View with_values(const View& view, double scale, double shift) {
   View changed = view;
   Volume volume = *view.scene.volume;
   for (float& value : volume.values) value = float(scale * double(value) + shift);
-  volume.statistics = compute_statistics(volume.values);
+  volume.statistics = compute_statistics(volume.grid, volume.values);
   changed.scene.volume = std::make_shared<const Volume>(std::move(volume));
   auto& points = changed.scene.tf.points;
   for (auto& p : points) p.value = scale * p.value + shift;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/stability/scenes.h"
+
 // The measures must not overlook what they are there to find.
 namespace crest::stability {
 namespace {
@@ -59,6 +61,17 @@ TEST(StabilityLab, EqualIsBitForBit) {
   zero.pixels[0].r = 0;
   minus_zero.pixels[0].r = -0.0F;
   EXPECT_EQ(unequal_pixels(zero, minus_zero), 1);
+}
+
+// What is known of a volume decides which shader draws it: a table of another shader than people get says
+// nothing.
+TEST(StabilityScenes, HaveTheStatisticsOfTheirGrids) {
+  const VolumePtr ramp = make_volume(cube(9), [](glm::dvec3 p) { return p.x + 2 * p.y + 4 * p.z; });
+  EXPECT_EQ(ramp->statistics.range, (ValueRange{0, 56}));
+  EXPECT_EQ(ramp->statistics.largest_difference, glm::dvec3(1, 2, 4));
+  const VolumePtr gyroid = gyroid_in_levels();
+  EXPECT_EQ(gyroid->statistics.largest_difference,
+            compute_statistics(gyroid->grid, gyroid->values).largest_difference);
 }
 
 }  // namespace
