@@ -19,6 +19,7 @@
 #include "render/vdls/homo_regions.h"
 #include "render/vdls/layer_textures.h"
 #include "render/vdls/proxy.h"
+#include "render/vdls/variants.h"
 
 namespace crest {
 namespace {
@@ -80,11 +81,6 @@ struct Vdls::State {
 
   void take(const Scene& scene);
   Box visible_part(const Rendering& rendering);
-  bool is_shaded(const Rendering& rendering) const {
-    return rendering.shading == Shading::gradient && !shows_values(rendering.illumination);
-  }
-  GLuint setup_program(const Rendering& rendering, bool counts);
-  GLuint layers_program(const Rendering& rendering);
   void bind_volume(const Scene& scene, GLuint program);
   std::vector<std::uint32_t> set_up(const Scene& scene, const Camera& camera, const gl::RenderTarget& target);
   Proxy make_proxy(const Scene& scene, const Camera& camera, glm::ivec2 size,
@@ -151,35 +147,14 @@ Box Vdls::State::visible_part(const Rendering& rendering) {
   }));
 }
 
-GLuint Vdls::State::setup_program(const Rendering& rendering, bool counts) {
-  Features features;
-  features.illumination = rendering.illumination;
-  std::vector<std::string> defines = shader_defines(features);
-  defines.push_back(fmt::format("COUNTS {:d}", counts));
-  defines.push_back(fmt::format("BACK_TO_FRONT {:d}", rendering.vdls.back_to_front));
-  return programs.program("fullscreen.vert", "vdls_setup.frag", defines);
-}
-
-GLuint Vdls::State::layers_program(const Rendering& rendering) {
-  Features features;
-  features.dvr = true;
-  features.shading = is_shaded(rendering);
-  features.illumination = rendering.illumination;
-  std::vector<std::string> defines = shader_defines(features);
-  defines.push_back(fmt::format("LAYERS {}", rendering.vdls.layers_per_pass));
-  defines.push_back(fmt::format("GRADIENT_VOLUME {:d}", features.shading && rendering.vdls.gradient_volume));
-  defines.push_back(fmt::format("EARLY_TEST {:d}", rendering.vdls.early_test));
-  defines.push_back(fmt::format("BACK_TO_FRONT {:d}", rendering.vdls.back_to_front));
-  return programs.program("vdls_proxy.vert", "vdls_layers.frag", defines);
-}
-
 /// Begins the picture; returns each leaf's greatest sample count.
 std::vector<std::uint32_t> Vdls::State::set_up(const Scene& scene, const Camera& camera,
                                                const gl::RenderTarget& target) {
   const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
   std::vector<std::uint32_t> counts(leaves.count());
   const gl::BufferHandle buffer = make_buffer(counts.size() * sizeof counts[0], counts.data());
-  const GLuint program = setup_program(scene.rendering, target.has_counts());
+  const GLuint program = programs.program("fullscreen.vert", "vdls_setup.frag",
+                                          setup_defines(scene.rendering, target.has_counts()));
   const Grid& grid = volume->grid;
   const Box part = visible_part(scene.rendering);
   set_view(program, scene, camera, target.size());
@@ -240,7 +215,8 @@ void Vdls::State::draw_layers(const Scene& scene, const Camera& camera, glm::ive
   const gl::BufferHandle corners =
       make_buffer(proxy.corners.size() * sizeof proxy.corners[0], proxy.corners.data());
   glVertexArrayVertexBuffer(vertex_array.id(), 0, corners.id(), 0, sizeof proxy.corners[0]);
-  const GLuint program = layers_program(scene.rendering);
+  const GLuint program =
+      programs.program("vdls_proxy.vert", "vdls_layers.frag", layers_defines(scene.rendering));
   set_view(program, scene, camera, size);
   set(program, "fixed_unit", fixed_unit(volume->grid));
   set(program, "fraction_bits", fraction_bits(scene));
@@ -313,7 +289,7 @@ PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
   add(o.leaves > 0, "screen_quadtree", off);
   add(o.early_test, "early_outside_volume_test", off);
   add(o.layers_per_pass > 1, "segmented_traversal", off);
-  const bool shading = state_->is_shaded(scene.rendering);
+  const bool shading = is_shaded(scene.rendering);
   const std::string unshaded = values_alone ? illumination : "rendering.shading is none";
   add(shading, "shading", unshaded);
   add(shading && o.gradient_volume, "gradient_volume", shading ? off : unshaded);
