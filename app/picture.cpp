@@ -6,6 +6,7 @@
 
 #include "presets/json.h"
 #include "presets/names.h"
+#include "render/measure/tiles.h"
 #include "render/measure/timing.h"
 #include "render/scene/limits.h"
 
@@ -16,15 +17,19 @@ std::vector<MeasuredPicture> measure_pictures(Renderer& renderer, const std::vec
                                               bool count_costs) {
   std::vector<MeasuredPicture> pictures(scenes.size());
   gl::RenderTarget target(size, false);
+  std::vector<double> ms_per_row(scenes.size());
+  const auto draw = [&](std::size_t i) {
+    return draw_in_tiles(size, ms_per_row[i],
+                         [&](Tile tile) { renderer.draw(scenes[i], camera, target, tile); });
+  };
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    pictures[i].first_frame_ms = finished_ms([&] { renderer.draw(scenes[i], camera, target); });
+    pictures[i].first_frame_ms = draw(i);
     pictures[i].image = target.read_color();
     pictures[i].need = renderer.need(scenes[i], camera, size);
     pictures[i].warnings = scene_warnings(scenes[i], camera, size);
   }
   for (int frame = 1; frame < frames; ++frame)
-    for (std::size_t i = 0; i < scenes.size(); ++i)
-      pictures[i].frame_ms.push_back(finished_ms([&] { renderer.draw(scenes[i], camera, target); }));
+    for (std::size_t i = 0; i < scenes.size(); ++i) pictures[i].frame_ms.push_back(draw(i));
   for (auto& picture : pictures)
     if (picture.frame_ms.empty()) picture.frame_ms = {picture.first_frame_ms};
   if (count_costs) {

@@ -4,6 +4,8 @@
 #include "ray.glsl"
 #include "statistics.glsl"
 
+// Textures have one level, which is named wherever they are filtered: lanes that do not all take a branch know no
+// derivatives.
 uniform sampler3D volume;
 uniform vec3 texture_scale, texture_offset;  // from a position in the box to the texture: point i is at (i+0.5)/n
 

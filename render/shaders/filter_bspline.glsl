@@ -14,12 +14,12 @@ Pairs pairs_around(vec3 base, vec3 first, vec3 second) {
   return Pairs((base - 0.5 + first) / size, (base + 1.5 + second) / size);
 }
 
+float value_at(float x, float y, float z) { return textureLod(volume, vec3(x, y, z), 0.0).r; }
+
 void fetch(Pairs p, out vec4 low, out vec4 high) {
   vec3 a = p.first, b = p.second;
-  low = vec4(texture(volume, a).r, texture(volume, vec3(a.x, b.y, a.z)).r,
-             texture(volume, vec3(a.xy, b.z)).r, texture(volume, vec3(a.x, b.yz)).r);
-  high = vec4(texture(volume, vec3(b.x, a.yz)).r, texture(volume, vec3(b.xy, a.z)).r,
-              texture(volume, vec3(b.x, a.y, b.z)).r, texture(volume, b).r);
+  low = vec4(value_at(a.x, a.y, a.z), value_at(a.x, b.y, a.z), value_at(a.x, a.y, b.z), value_at(a.x, b.y, b.z));
+  high = vec4(value_at(b.x, a.y, a.z), value_at(b.x, b.y, a.z), value_at(b.x, a.y, b.z), value_at(b.x, b.y, b.z));
 }
 
 // Of the place u between the points i and i+1: the pairs, and what the first one weighs.

@@ -6,8 +6,11 @@
 uniform usampler3D macrocells;  // 0 = nothing in it shows; else of how many steps one is made there
 uniform vec3 macrocell_size;
 
-// In smallest spacings: by more than positions are rounded, stretches are taken longer.
-const float slack = 1.0e-3;
+// Stretches are taken longer by more than places on the ray, and positions in the box, are rounded.
+float slack_of(Ray ray, Span span) {
+  vec3 size = max(abs(ray.origin), box_size);
+  return 1.0e-6 * (max(abs(span.enter), abs(span.exit)) + max(size.x, max(size.y, size.z)));
+}
 
 uint multiple_at(Walk walk) { return texelFetch(macrocells, walk.cell, 0).r; }
 

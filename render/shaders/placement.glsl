@@ -10,22 +10,25 @@
 uniform float step_length;  // in units of the smallest spacing
 
 Sampling equal_segments(Span span, int n, float dt, float begin) {
-  return Sampling(span, n, begin, dt, begin + dt, 0.0, begin + float(n) * dt);
+  precise float second = begin + dt, end = begin + float(n) * dt;
+  return Sampling(span, n, begin, dt, second, 0.0, end);
 }
 
 Sampling sample_span(Ray ray, Span span) {
-  float size = span.exit - span.enter;
+  precise float size = span.exit - span.enter, steps = size / step_length;
 #if PLACEMENT_EYE
-  float first = (1.0 - fract((span.enter - ray.eye) / step_length)) * step_length;
-  return equal_segments(span, max(LEAST_SEGMENTS, int(ceil((size - first) / step_length))), step_length,
-                        span.enter + first - 0.5 * step_length);
+  precise float first = (1.0 - fract((span.enter - ray.eye) / step_length)) * step_length;
+  precise float begin = span.enter + first - 0.5 * step_length, left = (size - first) / step_length;
+  return equal_segments(span, max(LEAST_SEGMENTS, int(ceil(left))), step_length, begin);
 #elif PLACEMENT_ENTRY
-  return equal_segments(span, max(LEAST_SEGMENTS, int(ceil(size / step_length - 0.5))), step_length, span.enter);
-#elif PLACEMENT_ENTRY_EXIT
-  int n = max(LEAST_SEGMENTS, int(floor(size / step_length)));
-  return equal_segments(span, n, size / float(max(n, 1)), span.enter);
+  return equal_segments(span, max(LEAST_SEGMENTS, int(ceil(steps - 0.5))), step_length, span.enter);
 #else
-  int n = max(1, int(ceil(size / step_length)));
-  return equal_segments(span, n, size / float(n), span.enter);
+#if PLACEMENT_ENTRY_EXIT
+  int n = max(LEAST_SEGMENTS, int(floor(steps)));
+#else
+  int n = max(1, int(ceil(steps)));
+#endif
+  precise float dt = size / float(max(n, 1));
+  return equal_segments(span, n, dt, span.enter);
 #endif
 }

@@ -22,7 +22,7 @@ Place place_of(float value) {
 // Composites a segment. A part of one, or the last one before the exit, is not as long as the table's: it takes the
 // opacity that its length has, exactly, and the table's colour.
 void composite_segment(Place front, Place back, float size, float light) {
-  vec4 material = texture(preintegration_table, vec2(front.coordinate, back.coordinate));
+  vec4 material = textureLod(preintegration_table, vec2(front.coordinate, back.coordinate), 0.0);
   float alpha = material.a;
   if (abs(size - preintegrated_length) > 1.0e-3 * preintegrated_length)
     alpha = opacity_of(depth_of(alpha) * (size / preintegrated_length));

@@ -15,14 +15,21 @@ struct Ray {
   float eye;               // the eye's place along the ray
 };
 
-vec3 at(Ray ray, float t) { return ray.origin + t * ray.direction; }
+// Engines and passes must find the same samples to the bit: what leads to them is `precise`, since a compiler may else
+// contract a product and a sum in one place and not in another.
+vec3 at(Ray ray, float t) {
+  precise vec3 position = ray.origin + t * ray.direction;
+  return position;
+}
 
 // Row 0 is at the top; the ray goes through the pixel's centre.
 Ray pixel_ray() {
-  vec2 plane = vec2(2.0, -2.0) * gl_FragCoord.xy / image_size + vec2(-1.0, 1.0);
-  vec3 direction = ray_w + plane.x * ray_u + plane.y * ray_v;
-  float size = length(direction);
-  return Ray(ray_anchor + plane.x * ray_anchor_u + plane.y * ray_anchor_v, direction / size, -eye_to_anchor * size);
+  precise vec2 plane = vec2(2.0, -2.0) * gl_FragCoord.xy / image_size + vec2(-1.0, 1.0);
+  precise vec3 towards = ray_w + plane.x * ray_u + plane.y * ray_v;
+  precise float size = sqrt(towards.x * towards.x + towards.y * towards.y + towards.z * towards.z);
+  precise vec3 origin = ray_anchor + plane.x * ray_anchor_u + plane.y * ray_anchor_v, direction = towards / size;
+  precise float eye = -eye_to_anchor * size;
+  return Ray(origin, direction, eye);
 }
 
 // Where the ray is inside a box and in front of the eye. A ray that runs in a face is inside.
@@ -36,7 +43,7 @@ bool hit_box(Ray ray, vec3 low, vec3 high, out float enter, out float exit) {
       if (o < low[axis] || o > high[axis]) return false;
       continue;
     }
-    float a = (low[axis] - o) / d, b = (high[axis] - o) / d;
+    precise float a = (low[axis] - o) / d, b = (high[axis] - o) / d;
     enter = max(enter, min(a, b));
     exit = min(exit, max(a, b));
   }

@@ -75,6 +75,7 @@ void march_part(Ray ray, Sampling s, int first, int last, int index) {
 void march_span(Ray ray, Span span, inout int index) {
   Sampling s = sample_span(ray, span);
   Walk walk = begin_macrocells(ray, span);
+  float slack = slack_of(ray, span);
   bool more = true;
   Span stretch;
   uint multiple;
@@ -103,7 +104,7 @@ const int intervals_beyond_run = INTERVALS_BEYOND_SEGMENTS;
 #endif
 
 // Whether so much lies between two places of a ray that a new run begins.
-bool is_gap(Sampling s, float exit, float enter) {
+bool is_gap(Sampling s, float exit, float enter, float slack) {
 #if VARYING_STEPS
   return index_at(s, enter - slack) >= index_at(s, exit + slack) + float(least_gap);
 #else
@@ -113,10 +114,10 @@ bool is_gap(Sampling s, float exit, float enter) {
 
 // The intervals of the next run, not before `done`, so that with skipping and without it the same samples are taken.
 // One loop, with little in it: on SIMD hardware all lanes walk until the last one has found its run.
-ivec2 next_run(inout Walk walk, inout bool more, Sampling s, int done) {
+ivec2 next_run(inout Walk walk, inout bool more, Sampling s, float slack, int done) {
   const float none = 3.0e38;
   float enter = none, exit = none;
-  while (more && (exit == none || !is_gap(s, exit, walk.t))) {
+  while (more && (exit == none || !is_gap(s, exit, walk.t, slack))) {
     float t = walk.t;
     bool occupied = multiple_at(walk) != 0u;
     more = advance(walk);
@@ -134,10 +135,11 @@ ivec2 next_run(inout Walk walk, inout bool more, Sampling s, int done) {
 void march_span(Ray ray, Span span, inout int index) {
   Sampling s = sample_span(ray, span);
   Walk walk = begin_macrocells(ray, span);
+  float slack = slack_of(ray, span);
   bool more = true;
   ivec2 run = ivec2(0);
   while (more && !TERMINATED) {
-    run = next_run(walk, more, s, run.y);
+    run = next_run(walk, more, s, slack, run.y);
     march_part(ray, s, run.x, run.y, index);
   }
   index += interval_total(s);

@@ -20,10 +20,16 @@ struct Sampling {
 // The length of j segments from the second one on, and how many a length is. Both are closed forms, counted from within
 // the span: nothing is added up, so that short steps far from the eye lose no digits.
 #if FOOTPRINT
-float length_of(Sampling s, float j) { return s.dt * (exp2(s.growth * j) - 1.0); }
+float length_of(Sampling s, float j) {
+  precise float size = s.dt * (exp2(s.growth * j) - 1.0);
+  return size;
+}
 float count_of(Sampling s, float size) { return log2(1.0 + size / s.dt) / s.growth; }
 #else
-float length_of(Sampling s, float j) { return j * (s.dt + 0.5 * s.growth * (j - 1.0)); }
+float length_of(Sampling s, float j) {
+  precise float size = j * (s.dt + 0.5 * s.growth * (j - 1.0));
+  return size;
+}
 float count_of(Sampling s, float size) {
   float c = s.dt - 0.5 * s.growth, root = sqrt(c * c + 2.0 * s.growth * size);
   return c > 0.0 ? 2.0 * size / (c + root) : (root - c) / s.growth;
@@ -32,10 +38,14 @@ float count_of(Sampling s, float size) {
 
 // Where the i-th segment begins; for i = n, where the last one ends. Its size.
 float boundary_at(Sampling s, int i) {
-  return i <= 0 ? s.begin : i >= s.n ? s.end : min(s.second + length_of(s, float(i - 1)), s.end);
+  precise float t = s.second + length_of(s, float(i - 1));
+  return i <= 0 ? s.begin : i >= s.n ? s.end : min(t, s.end);
 }
 float size_at(Sampling s, int i) { return boundary_at(s, i + 1) - boundary_at(s, i); }
-float middle_at(Sampling s, int i) { return 0.5 * (boundary_at(s, i) + boundary_at(s, i + 1)); }
+float middle_at(Sampling s, int i) {
+  precise float t = 0.5 * (boundary_at(s, i) + boundary_at(s, i + 1));
+  return t;
+}
 
 // In which segment t lies, with the share of it that lies before t.
 float index_at(Sampling s, float t) {
@@ -44,9 +54,15 @@ float index_at(Sampling s, float t) {
 
 #else
 
-float boundary_at(Sampling s, int i) { return s.begin + float(i) * s.dt; }
+float boundary_at(Sampling s, int i) {
+  precise float t = s.begin + float(i) * s.dt;
+  return t;
+}
 float size_at(Sampling s, int i) { return s.dt; }
-float middle_at(Sampling s, int i) { return s.begin + (float(i) + 0.5) * s.dt; }
+float middle_at(Sampling s, int i) {
+  precise float t = s.begin + (float(i) + 0.5) * s.dt;
+  return t;
+}
 float index_at(Sampling s, float t) { return (t - s.begin) / s.dt; }
 
 #endif

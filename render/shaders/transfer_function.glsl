@@ -5,5 +5,6 @@ uniform vec3 tf_min_scale_offset;  // the texture's coordinate is (value - x) * 
 
 // Colour, and extinction per smallest spacing.
 vec4 classify(float value) {
-  return texture(tf_texture, (value - tf_min_scale_offset.x) * tf_min_scale_offset.y + tf_min_scale_offset.z);
+  float place = (value - tf_min_scale_offset.x) * tf_min_scale_offset.y + tf_min_scale_offset.z;
+  return textureLod(tf_texture, place, 0.0);
 }

@@ -23,7 +23,9 @@ uniform int first_layer;  // of this pass
 
 #if GRADIENT_VOLUME
 uniform sampler3D gradients;  // in any unit
-vec3 gradient_at(vec3 position) { return texture(gradients, position * texture_scale + texture_offset).xyz; }
+vec3 gradient_at(vec3 position) {
+  return textureLod(gradients, position * texture_scale + texture_offset, 0.0).xyz;
+}
 #elif SHADING
 vec3 gradient_at(vec3 position) { return gradient(position); }
 #endif

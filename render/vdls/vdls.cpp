@@ -13,13 +13,13 @@
 #include "render/gl/uniforms.h"
 #include "render/resources/table_textures.h"
 #include "render/resources/volume_texture.h"
-#include "render/shader_inputs/features.h"
 #include "render/shader_inputs/illumination.h"
 #include "render/shader_inputs/view_uniforms.h"
 #include "render/vdls/gradient_volume.h"
 #include "render/vdls/homo_regions.h"
 #include "render/vdls/layer_textures.h"
 #include "render/vdls/proxy.h"
+#include "render/vdls/variants.h"
 
 namespace crest {
 namespace {
@@ -69,9 +69,6 @@ struct Vdls::Prepared {
   const TfTexture& tf;
 
   Box box() const { return rendered_box(volume.grid, scene.rendering.clip_box); }
-  bool is_shaded() const {
-    return scene.rendering.shading == Shading::gradient && !shows_values(scene.rendering.illumination);
-  }
 };
 
 Vdls::Prepared Vdls::prepare(const Scene& scene) {
@@ -124,29 +121,6 @@ Box Vdls::visible_part(const Prepared& p) {
   });
 }
 
-GLuint Vdls::setup_program(const Rendering& rendering, bool counts) {
-  Features features;
-  features.illumination = rendering.illumination;
-  std::vector<std::string> defines = shader_defines(features);
-  defines.push_back(fmt::format("COUNTS {:d}", counts));
-  defines.push_back(fmt::format("BACK_TO_FRONT {:d}", rendering.vdls.back_to_front));
-  return resources_->programs.program("fullscreen.vert", "vdls_setup.frag", defines);
-}
-
-GLuint Vdls::layers_program(const Prepared& p) {
-  const Rendering& rendering = p.scene.rendering;
-  Features features;
-  features.dvr = true;
-  features.shading = p.is_shaded();
-  features.illumination = rendering.illumination;
-  std::vector<std::string> defines = shader_defines(features);
-  defines.push_back(fmt::format("LAYERS {}", rendering.vdls.layers_per_pass));
-  defines.push_back(fmt::format("GRADIENT_VOLUME {:d}", features.shading && rendering.vdls.gradient_volume));
-  defines.push_back(fmt::format("EARLY_TEST {:d}", rendering.vdls.early_test));
-  defines.push_back(fmt::format("BACK_TO_FRONT {:d}", rendering.vdls.back_to_front));
-  return resources_->programs.program("vdls_proxy.vert", "vdls_layers.frag", defines);
-}
-
 /// Begins the picture; returns each leaf's greatest sample count.
 std::vector<std::uint32_t> Vdls::set_up(const Prepared& p, const Camera& camera,
                                         const gl::RenderTarget& target) {
@@ -154,7 +128,8 @@ std::vector<std::uint32_t> Vdls::set_up(const Prepared& p, const Camera& camera,
   const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
   std::vector<std::uint32_t> counts(leaves.count());
   const gl::BufferHandle buffer = make_buffer(counts.size() * sizeof counts[0], counts.data());
-  const GLuint program = setup_program(scene.rendering, target.has_counts());
+  const GLuint program = resources_->programs.program("fullscreen.vert", "vdls_setup.frag",
+                                                      setup_defines(scene.rendering, target.has_counts()));
   const Grid& grid = p.volume.grid;
   const Box part = visible_part(p);
   set_view(program, scene, camera, target.size());
@@ -205,7 +180,7 @@ void Vdls::bind_volume(const Prepared& p, GLuint program) {
   set(program, "volume", int(volume_unit));
   bind_tf_texture(program, p.tf, tf_unit);
   bind_illumination(program, p.scene, p.units);
-  if (!p.is_shaded()) return;
+  if (!is_shaded(p.scene.rendering)) return;
   set(program, "shading_strength", 1.0f);
   if (!p.scene.rendering.vdls.gradient_volume) return;
   glBindTextureUnit(gradients_unit, gradient_texture(held, p.scene.volume));
@@ -217,7 +192,8 @@ void Vdls::draw_layers(const Prepared& p, const Camera& camera, glm::ivec2 size,
   const gl::BufferHandle corners =
       make_buffer(proxy.corners.size() * sizeof proxy.corners[0], proxy.corners.data());
   glVertexArrayVertexBuffer(vertex_array_.id(), 0, corners.id(), 0, sizeof proxy.corners[0]);
-  const GLuint program = layers_program(p);
+  const GLuint program =
+      resources_->programs.program("vdls_proxy.vert", "vdls_layers.frag", layers_defines(scene.rendering));
   set_view(program, scene, camera, size);
   set(program, "fixed_unit", fixed_unit(p.volume.grid));
   set(program, "fraction_bits", fraction_bits(scene));
@@ -289,7 +265,7 @@ PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
   add(o.leaves > 0, "screen_quadtree", off);
   add(o.early_test, "early_outside_volume_test", off);
   add(o.layers_per_pass > 1, "segmented_traversal", off);
-  const bool shading = prepared.is_shaded();
+  const bool shading = is_shaded(scene.rendering);
   const std::string unshaded = values_alone ? illumination : "rendering.shading is none";
   add(shading, "shading", unshaded);
   add(shading && o.gradient_volume, "gradient_volume", shading ? off : unshaded);

@@ -44,8 +44,6 @@ class Vdls {
   struct Prepared;
   Prepared prepare(const Scene& scene);
   Box visible_part(const Prepared& p);
-  GLuint setup_program(const Rendering& rendering, bool counts);
-  GLuint layers_program(const Prepared& p);
   /// Begins the picture; returns each leaf's greatest sample count.
   std::vector<std::uint32_t> set_up(const Prepared& p, const Camera& camera, const gl::RenderTarget& target);
   Proxy make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size,

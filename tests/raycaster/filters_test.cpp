@@ -324,21 +324,5 @@ TEST_F(Filters, NothingIsEvaluatedTwiceWhereTheRootFilterIsTheFilter) {
   EXPECT_FALSE(uses_filter(raycaster.features(Scene{wave_volume(), tf, peaks}, false), Filter::bspline));
 }
 
-TEST_F(Filters, AllVariantsCompile) {
-  const auto volume = wave_volume();
-  const Camera camera = whole_volume_camera(volume->grid);
-  const TransferFunction tf =
-      make_tf({point(0, 0.1), point(0.599, 0.1), point(0.6, 0.5), point(0.601, 0.1), point(1, 0.1)});
-  for (const auto& filter : names_of<Filter>())
-    for (const auto& root : {filter, names_of<Filter>()[filter.value == Filter::bc ? 0 : 3]})
-      for (const Gradient gradient_kind : {Gradient::central, Gradient::filter}) {
-        Scene scene{volume, tf, with_filters(filter.value, root.value)};
-        scene.rendering.shading = Shading::gradient;
-        scene.rendering.gradient = gradient_kind;
-        gl::RenderTarget target({2, 2}, true);
-        EXPECT_NO_THROW(raycaster.draw(scene, camera, target)) << name(scene.rendering);
-      }
-}
-
 }  // namespace
 }  // namespace crest::testing

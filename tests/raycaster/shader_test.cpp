@@ -69,39 +69,5 @@ TEST(ShaderLog, NamesFilesForEveryDriver) {
   EXPECT_EQ(gl::name_files_in_log("no place here", files), "no place here\n");
 }
 
-// Every variant that a scene can ask for compiles.
-TEST_F(Shaders, AllVariantsCompile) {
-  const Camera camera = whole_volume_camera(scene.volume->grid);
-  for (const char* preset : {"dirac-shell", "onion", "four-peaks", "smooth-haze"})
-    for (const Mode mode : {Mode::both, Mode::peak_xor_dvr, Mode::peak_only, Mode::dvr_only})
-      for (const PeakForm form : {PeakForm::split, PeakForm::paper})
-        for (const Shading shading : {Shading::none, Shading::gradient})
-          for (const double residual : {0.0, 0.01})
-            for (const bool counts : {false, true}) {
-              Scene variant = make_scene(scene.volume, load_preset(preset));
-              variant.rendering.mode = mode;
-              variant.rendering.peak_form = form;
-              variant.rendering.shading = shading;
-              variant.rendering.early_termination = residual;
-              gl::RenderTarget target({2, 2}, counts);
-              EXPECT_NO_THROW(raycaster.draw(variant, camera, target));
-            }
-}
-
-// And so does each placement; what it has to do with the other features is all in these.
-TEST_F(Shaders, AllPlacementsCompile) {
-  const Camera camera = whole_volume_camera(scene.volume->grid);
-  for (const Placement placement : {Placement::eye, Placement::entry, Placement::entry_exit})
-    for (const Mode mode : {Mode::both, Mode::peak_only, Mode::dvr_only})
-      for (const PeakForm form : {PeakForm::split, PeakForm::paper}) {
-        Scene variant = scene;
-        variant.rendering.placement = placement;
-        variant.rendering.mode = mode;
-        variant.rendering.peak_form = form;
-        gl::RenderTarget target({2, 2}, true);
-        EXPECT_NO_THROW(raycaster.draw(variant, camera, target));
-      }
-}
-
 }  // namespace
 }  // namespace crest::testing

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "render/stability/scenes.h"
+#include "render/studies/stability/scenes.h"
 
 // The measures must not overlook what they are there to find.
 namespace crest::stability {
