@@ -286,10 +286,9 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
     const std::size_t count = need.needed.peaks ? classification.surfaces.size() : 1;
     add("surfaces", fmt::format("{}", count), count * 8 * sizeof(float));
   }
-  if (f.peak_table) {
-    const std::size_t cells = std::size_t(need.peak_bins) * std::size_t(need.peak_bins);
-    add("peak_table", fmt::format("{0}x{0} bins", need.peak_bins), cells * 3 * sizeof(float));
-  }
+  if (f.peak_table)
+    add("peak_table", fmt::format("{} bins", need.peak_bins),
+        std::size_t(need.peak_bins) * 4 * sizeof(float));
   return data;
 }
 

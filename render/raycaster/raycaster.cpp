@@ -28,8 +28,7 @@ enum Unit : GLuint {
   empty_cells_unit,
   macrocells_unit,
   tf_unit,  ///< or what stands for the TF: antiderivatives, pre-integration table
-  peak_table_unit,
-  peak_runs_unit
+  peak_table_unit
 };
 
 void set_few_peaks(GLuint program, const std::vector<Peak>& peaks) {
@@ -66,7 +65,7 @@ struct DvrTables {
 /// What a TF is on the GPU: only what was asked for.
 struct Tables {
   DvrTables full_tf, base_tf;
-  std::optional<PeakTableTextures> peak_table;
+  std::optional<PeakTableTexture> peak_table;
   gl::BufferHandle peaks;
 };
 
@@ -230,10 +229,8 @@ void Raycaster::State::bind_peaks(const Need& need, GLuint program) {
     const PeakTable table = build_peak_table(surfaces, surface_range, need.peak_bins);
     held.peak_table = upload_peak_table(table, units.stored(surfaces));
   }
-  glBindTextureUnit(peak_table_unit, held.peak_table->ranges.id());
+  glBindTextureUnit(peak_table_unit, held.peak_table->texture.id());
   set(program, "peak_table", int(peak_table_unit));
-  glBindTextureUnit(peak_runs_unit, held.peak_table->runs.id());
-  set(program, "peak_runs", int(peak_runs_unit));
   set(program, "bin_min_scale",
       glm::vec2(units.stored(held.peak_table->range.min), held.peak_table->bin_scale / units.scale));
 }
