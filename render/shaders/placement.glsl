@@ -24,8 +24,10 @@ Sampling sample_span(Ray ray, Span span) {
 #elif PLACEMENT_ENTRY_EXIT
   int n = max(LEAST_SEGMENTS, int(floor(size / step_length)));
   return equal_segments(span, n, size / float(max(n, 1)), span.enter);
-#else
+#elif PLACEMENT_ENTRY_EXIT_CORNER
   int n = max(1, int(ceil(size / step_length)));
   return equal_segments(span, n, size / float(n), span.enter);
+#else
+#error The placement is not known here.
 #endif
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "presets/choices.h"
 #include "presets/error.h"
 #include "presets/names.h"
 #include "render/gl/program_cache.h"
@@ -81,7 +82,7 @@ struct Vdls::State {
   void take(const Scene& scene);
   Box visible_part(const Rendering& rendering);
   bool is_shaded(const Rendering& rendering) const {
-    return rendering.shading == Shading::gradient && !shows_values(rendering.illumination);
+    return takes_gradient(rendering.shading) && !shows_values(rendering.illumination);
   }
   GLuint setup_program(const Rendering& rendering, bool counts);
   GLuint layers_program(const Rendering& rendering);
