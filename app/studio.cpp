@@ -14,19 +14,6 @@
 namespace crest {
 namespace {
 
-gl::TextureHandle upload_picture(const Picture8& picture) {
-  GLuint id = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &id);
-  gl::TextureHandle texture(id);
-  glTextureStorage2D(id, 1, GL_RGBA8, picture.width, picture.height);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(id, 0, 0, 0, picture.width, picture.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                      picture.rgba.data());
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  return texture;
-}
-
 /// So long after the person did something, the measurement begins no frame.
 constexpr std::chrono::milliseconds quiet{300};
 
@@ -177,26 +164,12 @@ StudioInputs Studio::inputs(bool close_requested) {
   if (!loaded_.volume) return inputs;
   const Scene scene = make_scene(loaded_.volume, document_.preset);
   const Classification& classification = views_.renderer().classification(scene);
-  update_table_texture(classification);
   inputs.volume = loaded_.volume.get();
   inputs.resolved = scene.tf;
   inputs.peaks = classification.peaks;
   inputs.surfaces = classification.surfaces;
-  inputs.table = &pictured_table_;
-  inputs.table_texture = table_texture_.id();
   inputs.camera = camera_of(document_.preset, *loaded_.volume);
   return inputs;
-}
-
-void Studio::update_table_texture(const Classification& classification) {
-  const ValueRange range = loaded_.volume->statistics.range;
-  const int bins = document_.preset.rendering.peak_bins;
-  if (table_texture_ && pictured_table_.bins == bins && pictured_table_.range == range &&
-      pictured_peaks_ == classification.surfaces)
-    return;
-  pictured_peaks_ = classification.surfaces;
-  pictured_table_ = build_peak_table(pictured_peaks_, range, bins);
-  table_texture_ = upload_picture(table_picture(pictured_table_, pictured_peaks_));
 }
 
 std::array<ViewRequest, view_count> Studio::view_requests(const StudioRequests& requests) const {

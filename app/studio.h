@@ -14,8 +14,8 @@
 
 namespace crest {
 
-/// The document that a person works on, with all that was made of it: the volume, the views, the peak table's
-/// picture. It owns no window; a GL 4.5 context must be current throughout.
+/// The document that a person works on, with what was made of it: the volume, the views. It owns no window; a
+/// GL 4.5 context must be current throughout.
 class Studio {
  public:
   /// `volume` is what document.volume_source names; null when that is empty.
@@ -55,7 +55,6 @@ class Studio {
   void tell_view_error();
   bool has_unsaved_changes() const;
   StudioInputs inputs(bool close_requested);
-  void update_table_texture(const Classification& classification);
   void update_sweep(const StudioRequests& requests, bool interactive);
   std::array<ViewRequest, view_count> view_requests(const StudioRequests& requests) const;
 
@@ -70,9 +69,6 @@ class Studio {
   ViewRenderer views_;
   BackgroundSweep sweep_;
   RecentFiles recent_;
-  PeakTable pictured_table_;
-  std::vector<Peak> pictured_peaks_;
-  gl::TextureHandle table_texture_;
   std::string message_, performance_;
   std::string view_error_;  ///< as last told
   bool message_is_error_ = false, quit_ = false;

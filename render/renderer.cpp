@@ -4,6 +4,21 @@
 #include "render/resources/volume_texture.h"
 
 namespace crest {
+namespace {
+
+/// Otherwise the ray caster draws, also where the exact answer is named, which is no engine of the GPU.
+bool is_drawn_by_vdls(const Scene& scene) {
+  switch (scene.rendering.engine) {
+    case Engine::vdls:
+      return true;
+    case Engine::raycaster:
+    case Engine::reference:
+      break;
+  }
+  return false;
+}
+
+}  // namespace
 
 Renderer::Renderer(std::filesystem::path shader_folder)
     : resources_(std::make_shared<Resources>(std::move(shader_folder))),
@@ -11,7 +26,7 @@ Renderer::Renderer(std::filesystem::path shader_folder)
       vdls_(resources_) {}
 
 void Renderer::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
-  if (scene.rendering.engine == Engine::vdls)
+  if (is_drawn_by_vdls(scene))
     vdls_.draw(scene, camera, target, tile);
   else
     raycaster_.draw(scene, camera, target, tile);
@@ -23,7 +38,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& 
 
 std::vector<PixelCounts> Renderer::draw_counts(const Scene& scene, const Camera& camera,
                                                gl::RenderTarget& target) {
-  if (scene.rendering.engine != Engine::vdls) return raycaster_.draw_counts(scene, camera, target);
+  if (!is_drawn_by_vdls(scene)) return raycaster_.draw_counts(scene, camera, target);
   draw(scene, camera, target);
   std::vector<PixelCounts> pixels;
   for (const glm::uvec4 counts : target.read_counts())
@@ -32,7 +47,7 @@ std::vector<PixelCounts> Renderer::draw_counts(const Scene& scene, const Camera&
 }
 
 PictureNeed Renderer::need(const Scene& scene, const Camera& camera, glm::ivec2 size) {
-  if (scene.rendering.engine == Engine::vdls) return vdls_.need(scene, size);
+  if (is_drawn_by_vdls(scene)) return vdls_.need(scene, size);
   const Need need = raycaster_.need(scene, camera, size, false);
   PictureNeed result{need.list, gpu_data(need, *scene.volume, classification(scene)), {}};
   if (need.features.dvr && !need.features.preintegrated) result.tf_error = need.tf_table.error;

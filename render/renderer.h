@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "presets/choices.h"
 #include "render/raycaster/raycaster.h"
 #include "render/scene/picture_need.h"
 #include "render/vdls/vdls.h"
@@ -11,7 +12,7 @@ namespace crest {
 /// The settings in another mode, with the ray caster where their own engine does not render it.
 inline Rendering in_mode(Rendering rendering, Mode mode) {
   rendering.mode = mode;
-  if (rendering.engine == Engine::vdls && mode != Mode::dvr_only) rendering.engine = Engine::raycaster;
+  if (!renders(rendering.engine, mode)) rendering.engine = Engine::raycaster;
   return rendering;
 }
 

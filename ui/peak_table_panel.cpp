@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/style.h"
+#include "ui/table_regions.h"
 
 namespace crest {
 namespace {
@@ -30,7 +31,7 @@ void cell_tooltip(const PeakTable& table, std::span<const Peak> surfaces, int en
   if (count == 0) ImGui::TextDisabled("no peak between them");
   int order = 0;
   for (const int index : peaks_met(table, entry, exit)) {
-    if (index < 0 || std::size_t(index) >= surfaces.size()) continue;
+    if (index < 0) continue;
     const Peak& peak = surfaces[std::size_t(index)];
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float side = ImGui::GetFontSize();
@@ -53,13 +54,28 @@ void mark_cell(ImVec2 low, float side, const PeakTable& table, int entry, int ex
                                       {corner.x + cell + 1, corner.y + cell + 1}, IM_COL32_WHITE);
 }
 
-void hover_cell(StudioState& state, const StudioInputs& inputs, ImVec2 low, float side) {
-  const PeakTable& table = *inputs.table;
+void draw_picture(ImDrawList& list, ImVec2 low, float side, const PeakTable& table,
+                  std::span<const Peak> surfaces) {
+  constexpr ImU32 no_peak = IM_COL32(26, 28, 33, 255);
+  const float cell = side / float(table.bins);
+  const auto edge = [&](int entry, int exit) {
+    return ImVec2(low.x + float(entry) * cell, low.y + float(table.bins - exit) * cell);
+  };
+  list.AddRectFilled(low, {low.x + side, low.y + side}, no_peak);
+  for (const TableRegion& region : table_regions(table))
+    list.AddRectFilled(edge(region.first_entry, region.last_exit + 1),
+                       edge(region.last_entry + 1, region.first_exit),
+                       packed(surfaces[std::size_t(region.peak)].color));
+  list.AddRect(low, {low.x + side, low.y + side}, palette::frame);
+}
+
+void hover_cell(StudioState& state, const PeakTable& table, std::span<const Peak> surfaces, ImVec2 low,
+                float side) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const auto bin = [&](float share) { return std::clamp(int(share * float(table.bins)), 0, table.bins - 1); };
   const int entry = bin((mouse.x - low.x) / side), exit = bin(1 - (mouse.y - low.y) / side);
   mark_cell(low, side, table, entry, exit);
-  cell_tooltip(table, inputs.surfaces, entry, exit);
+  cell_tooltip(table, surfaces, entry, exit);
   state.under_cursor = fmt::format("entry {}   exit {}", range_text(bin_range(table, entry)),
                                    range_text(bin_range(table, exit)));
 }
@@ -89,12 +105,14 @@ void facts(const PeakTable& table) {
 
 }  // namespace
 
-void peak_table_panel(StudioState& state, const StudioInputs& inputs) {
-  if (!inputs.table || inputs.table->bins < 1 || inputs.table_texture == 0) {
-    ImGui::TextDisabled("The table of entry and exit values appears with a volume.");
+void peak_table_panel(const Document& document, StudioState& state, const StudioInputs& inputs) {
+  if (!inputs.volume || inputs.surfaces.size() > std::size_t(most_table_peaks)) {
+    ImGui::TextDisabled(inputs.volume ? "There are too many surfaces for a table."
+                                      : "The table of entry and exit values appears with a volume.");
     return;
   }
-  const PeakTable& table = *inputs.table;
+  const PeakTable table =
+      build_peak_table(inputs.surfaces, inputs.volume->statistics.range, document.preset.rendering.peak_bins);
   const ImVec2 room = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetFontSize(), gutter = line + scaled(6), strip = line + scaled(8);
   const float side = std::floor(std::min(room.x - gutter - scaled(8), room.y - strip - scaled(4)));
@@ -105,8 +123,7 @@ void peak_table_panel(StudioState& state, const StudioInputs& inputs) {
   note_item(state.widgets, "peak table");
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddImage(reinterpret_cast<ImTextureID>(inputs.table_texture), low, {low.x + side, low.y + side});
-  list.AddRect(low, {low.x + side, low.y + side}, palette::frame);
+  draw_picture(list, low, side, table, inputs.surfaces);
   const auto text_width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   const std::string least = short_text(table.range.min), most = short_text(table.range.max);
   const float text_y = low.y + side + scaled(4);
@@ -121,7 +138,7 @@ void peak_table_panel(StudioState& state, const StudioInputs& inputs) {
     ImGui::SetCursorScreenPos({low.x + side + scaled(16), low.y});
     facts(table);
   }
-  if (hovered) hover_cell(state, inputs, low, side);
+  if (hovered) hover_cell(state, table, inputs.surfaces, low, side);
 }
 
 }  // namespace crest

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "presets/choices.h"
 #include "ui/feature_list.h"
 
 namespace crest {
@@ -163,7 +164,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
       "distance from "
       "the eye (Knoll et al. 2009)\nfootprint - in proportion to what a pixel covers");
   changed |= choice(widgets, "##sampling", r.sampling, field);
-  if (r.sampling != Sampling::uniform) {
+  if (!has_equal_steps(r.sampling)) {
     row("Pixels a step", "s_k: the step at the eye, in pixels' diagonals at distance 1");
     changed |= number_field(widgets, "##s_k", r.s_k, {least_step, largest_step}, field);
   }
@@ -178,7 +179,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
       "it holds "
       "one step length, so it takes uniform sampling from the entry");
   const bool classified = choice(widgets, "##classification", r.classification, field);
-  if (r.classification == ClassificationMethod::preintegrated_table) {
+  if (holds_one_length(r.classification)) {
     row("Table bins, DVR", "Bins of the pre-integration table on each axis");
     changed |= integer_field(widgets, "##preintegration bins", r.preintegration_bins, 2, 2048, field);
   }
@@ -194,7 +195,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
   changed |= integer_field(widgets, "##peak bins", r.peak_bins, 1, 4096, field);
   row("Shading", "none, or by the gradient with a light at the eye");
   changed |= choice(widgets, "##shading", r.shading, field);
-  if (r.shading == Shading::gradient) {
+  if (takes_gradient(r.shading)) {
     row("Gradient",
         "central - differences of the filtered field over a voxel to either side\nfilter - the filter's own "
         "derivative");

@@ -57,7 +57,7 @@ bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, St
     const float list = std::min(rows * (ImGui::GetFrameHeight() + scaled(10)), height * 0.42F);
     changed |= peaks_panel(document, state, inputs, std::max(list, scaled(60)));
     ImGui::Spacing();
-    peak_table_panel(state, inputs);
+    peak_table_panel(document, state, inputs);
     ImGui::EndTabItem();
   }
   const bool rendering = ImGui::BeginTabItem("Rendering");

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "render/classify/peak_table.h"
 #include "render/classify/peaks.h"
 #include "render/scene/picture_need.h"
 #include "render/volume/volume.h"
@@ -37,12 +36,10 @@ struct ViewPicture {
 
 /// What the program tells the panels: results, read only.
 struct StudioInputs {
-  const Volume* volume = nullptr;    ///< null while none is open
-  TransferFunction resolved;         ///< the document's TF in the volume's units
-  std::span<const Peak> peaks;       ///< of `resolved`
-  std::span<const Peak> surfaces;    ///< those of the table
-  const PeakTable* table = nullptr;  ///< of the shown peaks; null while there is no volume
-  std::uintptr_t table_texture = 0;  ///< table_picture() of it, as an ImTextureID
+  const Volume* volume = nullptr;  ///< null while none is open
+  TransferFunction resolved;       ///< the document's TF in the volume's units
+  std::span<const Peak> peaks;     ///< of `resolved`
+  std::span<const Peak> surfaces;  ///< those that are shown as surfaces
   std::array<ViewPicture, view_count> views;
   const AccuracyResults* accuracy = nullptr;  ///< null while nothing was ever measured
   Camera camera;        ///< in force: the preset's, or the one that shows the whole volume
@@ -80,14 +77,5 @@ StudioStatePtr make_studio_state();
 /// Draws the whole window with Dear ImGui, between NewFrame and Render. Changes `document` as the person
 /// edits it, and keeps the undo history of it.
 StudioRequests studio_frame(Document& document, StudioState& state, const StudioInputs& inputs);
-
-/// An image of RGBA bytes, row 0 at the top.
-struct Picture8 {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;
-};
-
-/// The peak table as a picture: entry value across, exit value up, a cell in its first peak's colour.
-Picture8 table_picture(const PeakTable& table, std::span<const Peak> shown);
 
 }  // namespace crest

@@ -9,6 +9,7 @@
 #include "app/report/page.h"
 #include "app/report/report_pictures.h"
 #include "presets/atomic_file.h"
+#include "presets/choices.h"
 #include "presets/error.h"
 #include "presets/json.h"
 #include "presets/names.h"
@@ -232,7 +233,7 @@ void study_quality(VdlsReport& report, Lab& lab) {
     scene.rendering.classification = classification;
     const Image image = lab.picture(scene, camera, engine);
     const auto features = lab.renderer.need(scene, camera, lab.size).features.in;
-    if (classification != ClassificationMethod::post && features == post_features) return;  // it has no part
+    if (is_preintegrated(classification) && features == post_features) return;  // it has no part
     post_features = features;
     const std::string picture = fmt::format("images/phantom-{}.png", report.quality.size());
     const std::string errors = fmt::format("images/phantom-{}-error.png", report.quality.size());

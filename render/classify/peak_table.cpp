@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 #include "presets/error.h"
@@ -40,11 +41,13 @@ int PeakTable::bin_of(double value) const {
   return position > 0 ? int(std::min(position, float(bins - 1))) : 0;
 }
 
-int PeakTable::largest_count() const {
-  int largest = 0;
-  for (const Cell& cell : cells) largest = std::max(largest, int(cell.count));
-  return largest;
+PeakTable::Cell PeakTable::cell(int entry_bin, int exit_bin) const {
+  const auto [least, greatest] = std::minmax(entry_bin, exit_bin);
+  const int first = first_peak_from[std::size_t(least)], past = past_peak_to[std::size_t(greatest)];
+  return past > first ? Cell{first, past - first} : Cell{};
 }
+
+int PeakTable::largest_count() const { return cell(0, bins - 1).count; }
 
 double smallest_gap(std::span<const Peak> peaks) {
   double gap = std::numeric_limits<double>::infinity();
@@ -64,19 +67,14 @@ int separating_bins(std::span<const Peak> peaks, ValueRange range, int most) {
 }
 
 PeakTable build_peak_table(std::span<const Peak> peaks, ValueRange range, int bins) {
-  constexpr std::size_t most_peaks = std::numeric_limits<std::uint16_t>::max();
-  if (peaks.size() > most_peaks)
-    throw Error("the peak table holds at most " + std::to_string(most_peaks) + " peaks, not " +
+  if (peaks.size() > std::size_t(most_table_peaks))
+    throw Error("the peak table holds at most " + std::to_string(most_table_peaks) + " peaks, not " +
                 std::to_string(peaks.size()));
   if (bins < 1 || bins > largest_bins)
     throw Error("the peak table has 1 to " + std::to_string(largest_bins) + " bins, not " +
                 std::to_string(bins));
 
-  PeakTable table{.bins = bins, .range = range, .cells = {}};
-
-  // begin[b]: the first peak that may be at or above bin b. end[b]: one past the last that may be at or
-  // below it. What a segment between bins a <= b may cross is then peaks begin[a] up to end[b].
-  const std::size_t size = std::size_t(bins);
+  // Peaks outside the range are in no run: they begin at the first inside, and end before the first beyond
   const auto before = [](double limit) {
     return [limit](const Peak& p) { return float(p.value) < float(limit); };
   };
@@ -86,23 +84,18 @@ PeakTable build_peak_table(std::span<const Peak> peaks, ValueRange range, int bi
   const auto inside = std::partition_point(peaks.begin(), peaks.end(), before(range.min));
   const auto beyond = std::partition_point(inside, peaks.end(), up_to(range.max));
   const int first_inside = int(inside - peaks.begin()), past_inside = int(beyond - peaks.begin());
-  std::vector<int> begin(size, past_inside), end(size, first_inside);
+  PeakTable table{.bins = bins,
+                  .range = range,
+                  .first_peak_from = std::vector<int>(std::size_t(bins), past_inside),
+                  .past_peak_to = std::vector<int>(std::size_t(bins), first_inside)};
   int from = 0;
   for (int i = first_inside; i < past_inside; ++i) {
     const BinInterval at = bins_at(table, peaks[std::size_t(i)].value);
-    for (; from <= at.high; ++from) begin[std::size_t(from)] = i;
-    end[std::size_t(at.low)] = i + 1;
+    for (; from <= at.high; ++from) table.first_peak_from[std::size_t(from)] = i;
+    table.past_peak_to[std::size_t(at.low)] = i + 1;
   }
-  for (std::size_t b = 1; b < size; ++b) end[b] = std::max(end[b], end[b - 1]);
-
-  table.cells.resize(size * size);
-  for (std::size_t exit = 0; exit < size; ++exit) {
-    for (std::size_t entry = 0; entry < size; ++entry) {
-      const int first = begin[std::min(entry, exit)], past = end[std::max(entry, exit)];
-      if (past > first)
-        table.cells[exit * size + entry] = {std::uint16_t(first), std::uint16_t(past - first)};
-    }
-  }
+  std::inclusive_scan(table.past_peak_to.begin(), table.past_peak_to.end(), table.past_peak_to.begin(),
+                      [](int a, int b) { return std::max(a, b); });
   return table;
 }
 
@@ -110,7 +103,7 @@ std::array<int, peaks_per_cell> peaks_met(const PeakTable& table, int entry_bin,
   const PeakTable::Cell cell = table.cell(entry_bin, exit_bin);
   std::array<int, peaks_per_cell> met;
   met.fill(-1);
-  const int listed = std::min(int(cell.count), peaks_per_cell);
+  const int listed = std::min(cell.count, peaks_per_cell);
   for (int i = 0; i < listed; ++i)
     met[std::size_t(i)] = entry_bin <= exit_bin ? cell.first + i : cell.first + cell.count - 1 - i;
   return met;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "presets/choices.h"
 #include "presets/preset_file.h"
 #include "render/classify/classification.h"
 #include "render/vdls/vdls.h"
@@ -67,9 +68,9 @@ std::vector<std::string_view> words_of(std::string_view text) {
 /// How a method renders a scene, with the filters written out: those that it does not use are the others.
 Rendering in_full(const Method& method, const Rendering& scene) {
   Rendering r = measured_rendering(method, scene.step, scene);
-  if (r.mode == Mode::dvr_only) r.root_filter = r.filter;
+  if (!shows_surfaces(r.mode)) r.root_filter = r.filter;
   r.root_filter = root_filter(r).kind;
-  if (r.mode == Mode::peak_only) r.filter = *r.root_filter;
+  if (!shows_dvr(r.mode)) r.filter = *r.root_filter;
   return r;
 }
 
@@ -141,9 +142,9 @@ std::string why_left_out(const Method& method, const Scene& scene) {
   if (const Method* twin = find_twin(method, scene.rendering))
     return fmt::format("with this scene's filters it is {}", twin->id);
   const bool is_clear = std::ranges::none_of(scene.tf.points, [](const auto& p) { return p.opacity > 0; });
-  if (mode == Mode::dvr_only && is_clear) return "no point of the transfer function has an opacity";
+  if (!shows_surfaces(mode) && is_clear) return "no point of the transfer function has an opacity";
   if (measured.rendering.engine == Engine::vdls) return why_not_vdls(measured);
-  if (mode == Mode::dvr_only) return "";
+  if (!shows_surfaces(mode)) return "";
   const auto classification = classify(scene.tf, surface_range(scene));
   return classification.surfaces.empty() ? "no surface lies in the volume's range" : "";
 }

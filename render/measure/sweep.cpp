@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "presets/choices.h"
 #include "render/measure/timing.h"
 
 namespace crest {
@@ -43,7 +44,7 @@ std::vector<ExactAnswer> order_of_answers(const std::vector<const Method*>& meth
 void put_own_first(std::vector<const Method*>& methods, const Rendering& own) {
   std::ranges::stable_sort(methods, {}, [&](const Method* method) {
     const Rendering r = measured_rendering(*method, own.step, own);
-    return !(r.mode == own.mode && (r.mode == Mode::dvr_only || r.peak_form == own.peak_form));
+    return !(r.mode == own.mode && (!shows_surfaces(r.mode) || r.peak_form == own.peak_form));
   });
 }
 
@@ -217,7 +218,7 @@ Sweep::Point Sweep::look_at(const PlannedPoint& planned) {
   m.dvr_samples_per_ray = picture.dvr_samples_per_ray;
   m.crossings_per_ray = picture.crossings_per_ray;
   m.crossings_left_out_per_ray = picture.crossings_left_out_per_ray;
-  if (rendering.mode == Mode::dvr_only) picture.crossings.clear();
+  if (!shows_surfaces(rendering.mode)) picture.crossings.clear();
   for (const ExactAnswer& answer : answers_of(*planned.method))
     if (const auto exact = references_.find(answer); exact != references_.end())
       m.errors.push_back(

@@ -21,8 +21,7 @@ enum Unit : GLuint {
   empty_cells_unit,
   macrocells_unit,
   tf_unit,  ///< or what stands for the TF: antiderivatives, pre-integration table
-  peak_table_unit,
-  peak_runs_unit
+  peak_table_unit
 };
 
 /// What is bound, and to which program.
@@ -105,9 +104,8 @@ void bind_peaks(const Binding& b) {
   if (!b.need.features.peak_table) return set_few_peaks(b.program, surfaces);
 
   const ValueRange field = b.units.stored(surface_range(b.scene));
-  const auto& table = peak_table_textures(b.held, surfaces, field, b.need.peak_bins);
-  bind_texture(b, peak_table_unit, "peak_table", table.ranges.id());
-  bind_texture(b, peak_runs_unit, "peak_runs", table.runs.id());
+  const auto& table = peak_table_texture(b.held, surfaces, field, b.need.peak_bins);
+  bind_texture(b, peak_table_unit, "peak_table", table.texture.id());
   set(b.program, "bin_min_scale", glm::vec2(table.range.min, table.bin_scale));
 }
 

@@ -94,10 +94,10 @@ void Decision::decide_forms() {
   decide(&Features::extrema, none.empty() ? paper : none, false);
   decide(&Features::split, nothing_to_divide.empty() ? paper : nothing_to_divide, false);
   decide(&Features::exclusive,
-         !nothing_to_divide.empty()                ? nothing_to_divide
-         : s_.rendering.mode != Mode::peak_xor_dvr ? "the mode is not PEAK_XOR_DVR"
-         : s_.is_split()                           ? "the peak form is split"
-                                                   : "",
+         !nothing_to_divide.empty()         ? nothing_to_divide
+         : !is_exclusive(s_.rendering.mode) ? "the mode is not PEAK_XOR_DVR"
+         : s_.is_split()                    ? "the peak form is split"
+                                            : "",
          false);
 }
 
@@ -140,8 +140,7 @@ void Decision::decide_steps() {
   decide(&Features::footprint, sampling == Sampling::footprint ? "" : name, false);
   decide(&Features::adaptive, s_.rendering.adaptive ? "" : "rendering.adaptive is false", false);
   decide(&Features::skipping, why_no_skipping(), !shows_values(need_.needed.illumination));
-  if (sampling == Sampling::uniform)
-    need_.features.placement = need_.needed.placement = s_.rendering.placement;
+  if (has_equal_steps(sampling)) need_.features.placement = need_.needed.placement = s_.rendering.placement;
 }
 
 // One filter, unless both DVR and surfaces are there with different ones.
@@ -168,9 +167,9 @@ void Decision::decide_rays(bool statistics) {
       decide(feature, "nothing is sampled", false);
   decide(&Features::clip_box, s_.why_no_clip_box(), false);
   decide(&Features::shading,
-         if_sampled(shows_values(need_.needed.illumination)     ? s_.illumination()
-                    : s_.rendering.shading == Shading::gradient ? ""
-                                                                : "rendering.shading is none"),
+         if_sampled(shows_values(need_.needed.illumination) ? s_.illumination()
+                    : takes_gradient(s_.rendering.shading)  ? ""
+                                                            : "rendering.shading is none"),
          !shows_values(need_.needed.illumination));
   decide(&Features::filter_gradient, if_sampled(s_.why_no_filter_gradient(need_.features)),
          need_.features.shading && !need_.needed.shading);
@@ -192,7 +191,7 @@ void Decision::write_list() {
       if (in == feature.in && !(need_.features.*in)) list.left_out.emplace_back(feature.name, why_not);
   if (need_.features.placement == Placement::entry_exit_corner)
     list.left_out.emplace_back("placement",
-                               s_.rendering.sampling != Sampling::uniform
+                               !has_equal_steps(s_.rendering.sampling)
                                    ? fmt::format("rendering.sampling is {}", name_of(s_.rendering.sampling))
                                : s_.rendering.placement == Placement::entry_exit_corner
                                    ? "entry_exit_corner, the default, is the plain shader"
@@ -286,10 +285,9 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
     const std::size_t count = need.needed.peaks ? classification.surfaces.size() : 1;
     add("surfaces", fmt::format("{}", count), count * 8 * sizeof(float));
   }
-  if (f.peak_table) {
-    const std::size_t cells = std::size_t(need.peak_bins) * std::size_t(need.peak_bins);
-    add("peak_table", fmt::format("{0}x{0} bins", need.peak_bins), cells * 3 * sizeof(float));
-  }
+  if (f.peak_table)
+    add("peak_table", fmt::format("{} bins", need.peak_bins),
+        std::size_t(need.peak_bins) * 4 * sizeof(float));
   return data;
 }
 

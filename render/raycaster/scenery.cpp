@@ -33,7 +33,7 @@ std::string Scenery::why_nothing() const {
 // The base TF holds also where no spike's own value is in the field's range: its flanks may be.
 std::string Scenery::why_no_base_tf() const {
   if (!is_semi_transparent()) return illumination();
-  if (rendering.mode != Mode::peak_xor_dvr) return "the mode is not PEAK_XOR_DVR";
+  if (!is_exclusive(rendering.mode)) return "the mode is not PEAK_XOR_DVR";
   if (!is_split()) return "the peak form is the paper's";
   const auto& points = classification.tf.points;
   const auto is_met = [&](const Peak& p) {
@@ -45,7 +45,7 @@ std::string Scenery::why_no_base_tf() const {
 }
 
 std::string Scenery::why_no_dvr() const {
-  if (rendering.mode == Mode::peak_only) return "the mode is PEAK_ONLY";
+  if (!shows_dvr(rendering.mode)) return mode();
   if (shows_values(rendering.illumination)) return "";
   if (largest_opacity(dvr_tf(), dvr_field()) > 0) return "";
   if (largest_opacity(classification.tf, dvr_field()) > 0)
@@ -54,8 +54,8 @@ std::string Scenery::why_no_dvr() const {
 }
 
 std::string Scenery::why_no_peaks() const {
-  if (rendering.mode == Mode::dvr_only) return "the mode is DVR_ONLY";
-  if (rendering.mode != Mode::peak_only && !is_semi_transparent()) return illumination();
+  if (!shows_surfaces(rendering.mode)) return mode();
+  if (shows_dvr(rendering.mode) && !is_semi_transparent()) return illumination();
   if (!surfaces().empty()) return "";
   if (classification.peaks.empty()) return "the transfer function has no peak";
   const bool shown = std::ranges::any_of(classification.peaks, &Peak::shown);
@@ -74,15 +74,13 @@ std::string Scenery::why_no_several_peaks(int peak_bins) const {
 
 std::string Scenery::why_no_preintegration() const {
   if (!is_semi_transparent()) return illumination();
-  return rendering.classification == ClassificationMethod::post ? "rendering.classification is post"
-                                                                : why_no_dvr();
+  if (is_preintegrated(rendering.classification)) return why_no_dvr();
+  return fmt::format("rendering.classification is {}", name_of(rendering.classification));
 }
 
 std::string Scenery::why_no_preintegration_table() const {
   if (const std::string none = why_no_preintegration(); !none.empty()) return none;
-  return rendering.classification == ClassificationMethod::preintegrated_table
-             ? ""
-             : "antiderivatives hold for every length";
+  return holds_one_length(rendering.classification) ? "" : "antiderivatives hold for every length";
 }
 
 std::string Scenery::why_no_own_root_filter(const Features& features) const {
@@ -94,7 +92,13 @@ std::string Scenery::why_no_own_root_filter(const Features& features) const {
 
 std::string Scenery::why_no_filter_gradient(const Features& features) const {
   if (!features.shading) return "there is no shading";
-  return rendering.gradient == Gradient::filter ? "" : "rendering.gradient is central";
+  switch (rendering.gradient) {
+    case Gradient::filter:
+      return "";
+    case Gradient::central:
+      break;
+  }
+  return fmt::format("rendering.gradient is {}", name_of(rendering.gradient));
 }
 
 std::string Scenery::why_no_clip_box() const {

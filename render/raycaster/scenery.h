@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "presets/choices.h"
 #include "presets/names.h"
 #include "render/raycaster/need.h"
 #include "render/raycaster/step_lengths.h"
@@ -32,7 +33,8 @@ struct Scenery {
   std::string illumination() const {
     return fmt::format("rendering.illumination is {}", name_of(rendering.illumination));
   }
-  bool is_split() const { return rendering.peak_form == PeakForm::split; }
+  std::string mode() const { return fmt::format("the mode is {}", name_of(rendering.mode)); }
+  bool is_split() const { return crest::is_split(rendering.peak_form); }
 
   std::string why_nothing() const;
   std::string why_no_base_tf() const;

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "presets/choices.h"
 #include "presets/error.h"
 #include "presets/names.h"
 #include "render/classify/occupancy.h"
@@ -39,6 +40,20 @@ double differential_steps(double b, double a, double near, double length) {
   return 2 * length / (step + std::sqrt(step * step + 2 * a * length));
 }
 
+double longest_equal_step(const Rendering& rendering) {
+  switch (rendering.placement) {
+    case Placement::eye:
+    case Placement::entry:
+      // Pre-integrated segments take in what is left over at the span's ends
+      return is_preintegrated(rendering.classification) ? 2 * rendering.step : rendering.step;
+    case Placement::entry_exit:
+      return 2 * rendering.step;
+    case Placement::entry_exit_corner:
+      break;
+  }
+  return rendering.step;
+}
+
 }  // namespace
 
 double differential_k(const Camera& camera, glm::ivec2 size, double s_k) {
@@ -57,12 +72,7 @@ StepLengths step_lengths(const Rendering& rendering, const Camera& camera, glm::
   StepLengths lengths;
   switch (rendering.sampling) {
     case Sampling::uniform:
-      // Pre-integrated segments take in what eye and entry leave over at the span's ends
-      lengths.longest = rendering.step;
-      if (rendering.placement == Placement::entry_exit ||
-          (rendering.placement != Placement::entry_exit_corner &&
-           rendering.classification != ClassificationMethod::post))
-        lengths.longest *= 2;
+      lengths.longest = longest_equal_step(rendering);
       lengths.most = std::ceil(ray * (1 + slack) / rendering.step);
       break;
     case Sampling::differential:

@@ -25,7 +25,8 @@ bool is_image(const fs::path& path) {
          std::ranges::find(image_extensions, extension_of(path)) != std::end(image_extensions);
 }
 
-/// As a person counts: slice2 before slice10.
+/// As a person counts: slice2 before slice10, and slice02 where slice2 is. (strverscmp takes a number with
+/// leading zeros for a fraction: slice02 before slice1.)
 bool natural_less(const std::string& a, const std::string& b) {
   const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   std::size_t i = 0, j = 0;

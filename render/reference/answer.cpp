@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "presets/choices.h"
 #include "presets/names.h"
 
 namespace crest {
@@ -40,7 +41,7 @@ std::vector<Answer> answers_of(const Rendering& rendering) {
     case Mode::peak_xor_dvr:
       break;
   }
-  if (rendering.peak_form == PeakForm::split) return {Answer::base_and_crossings};
+  if (is_split(rendering.peak_form)) return {Answer::base_and_crossings};
   return {Answer::integral_and_crossings, Answer::base_and_crossings};
 }
 

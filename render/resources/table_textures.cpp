@@ -1,6 +1,6 @@
 #include "render/resources/table_textures.h"
 
-#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <limits>
 
 #include "render/gl/uniforms.h"
@@ -8,15 +8,16 @@
 namespace crest {
 namespace {
 
-gl::TextureHandle upload_square(int side, GLenum internal_format, GLenum format, GLenum type,
-                                const void* data) {
+/// A row of RGBA32F texels.
+gl::TextureHandle upload_row(const void* texels, std::size_t count, GLint filter) {
   GLuint id = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &id);
+  glCreateTextures(GL_TEXTURE_1D, 1, &id);
   gl::TextureHandle texture(id);
-  glTextureStorage2D(id, 1, internal_format, side, side);
-  glTextureSubImage2D(id, 0, 0, 0, side, side, format, type, data);
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTextureStorage1D(id, 1, GL_RGBA32F, GLsizei(count));
+  glTextureSubImage1D(id, 0, 0, GLsizei(count), GL_RGBA, GL_FLOAT, texels);
+  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, filter);
+  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, filter);
+  glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   return texture;
 }
 
@@ -42,35 +43,20 @@ struct PeaksKey {
 
 TfTexture upload_tf(const TransferFunction& tf, ValueRange field, double smallest_spacing, int entries) {
   const TfTable table = build_tf_table(tf, field, smallest_spacing, entries);
-  GLuint id = 0;
-  glCreateTextures(GL_TEXTURE_1D, 1, &id);
-  TfTexture result{gl::TextureHandle(id), table.range, entries};
-  const auto count = GLsizei(table.entries.size());
-  glTextureStorage1D(id, 1, GL_RGBA32F, count);
-  glTextureSubImage1D(id, 0, 0, count, GL_RGBA, GL_FLOAT, table.entries.data());
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  return result;
+  return {upload_row(table.entries.data(), table.entries.size(), GL_LINEAR), table.range, entries};
 }
 
-PeakTableTextures upload_peak_table(const PeakTable& table, const std::vector<Peak>& peaks) {
+PeakTableTexture upload_peak_table(const PeakTable& table, const std::vector<Peak>& peaks) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
-  std::vector<std::uint32_t> runs;
-  std::vector<glm::vec2> ranges;
-  runs.reserve(table.cells.size());
-  ranges.reserve(table.cells.size());
-  for (const auto& cell : table.cells) {
-    runs.push_back(cell.first | std::uint32_t(cell.count) << 16);
-    if (cell.count == 0)
-      ranges.emplace_back(infinity, -infinity);
-    else
-      ranges.emplace_back(peaks[cell.first].value, peaks[std::size_t(cell.first + cell.count - 1)].value);
+  const int first_inside = table.first_peak_from.front(), past_inside = table.past_peak_to.back();
+  std::vector<glm::vec4> texels;
+  for (std::size_t bin = 0; bin < std::size_t(table.bins); ++bin) {
+    const int first = table.first_peak_from[bin], past = table.past_peak_to[bin];
+    texels.emplace_back(first < past_inside ? float(peaks[std::size_t(first)].value) : infinity,
+                        past > first_inside ? float(peaks[std::size_t(past - 1)].value) : -infinity, first,
+                        past);
   }
-  PeakTableTextures textures{table.bins, table.range, table.bin_scale(), {}, {}};
-  textures.ranges = upload_square(table.bins, GL_RG32F, GL_RG, GL_FLOAT, ranges.data());
-  textures.runs = upload_square(table.bins, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, runs.data());
-  return textures;
+  return {upload_row(texels.data(), texels.size(), GL_NEAREST), table.range, table.bins, table.bin_scale()};
 }
 
 gl::BufferHandle upload_peaks(const std::vector<Peak>& peaks) {
@@ -105,10 +91,9 @@ void bind_tf_texture(GLuint program, const TfTexture& tf, GLuint unit) {
   gl::set(program, "tf_min_scale_offset", glm::vec3(tf.range.min, scale, 0.5 / tf.entries));
 }
 
-const PeakTableTextures& peak_table_textures(KeyedCache& held, const std::vector<Peak>& surfaces,
-                                             ValueRange field, int bins) {
-  return held.get(PeakTableKey{surfaces, field, bins},
-                  std::size_t(bins) * std::size_t(bins) * 3 * sizeof(float),
+const PeakTableTexture& peak_table_texture(KeyedCache& held, const std::vector<Peak>& surfaces,
+                                           ValueRange field, int bins) {
+  return held.get(PeakTableKey{surfaces, field, bins}, std::size_t(bins) * sizeof(glm::vec4),
                   [&] { return upload_peak_table(build_peak_table(surfaces, field, bins), surfaces); });
 }
 

@@ -25,18 +25,18 @@ const TfTexture& tf_texture(KeyedCache& held, const TransferFunction& tf, ValueR
 /// Gives it to a program with transfer_function.glsl, in this texture unit.
 void bind_tf_texture(GLuint program, const TfTexture& tf, GLuint unit);
 
-/// The peak table on the GPU, entry bin across, exit bin up.
-struct PeakTableTextures {
-  int bins = 0;
+/// The peak table's two arrays on the GPU: 1D, RGBA32F, a texel a bin. x and z are the isovalue and the index
+/// of the first peak that may be in the bin or above it, y and w the isovalue of the last one that may be in
+/// it or below and one past its index. The isovalue is infinity, or -infinity, where there is no such peak.
+struct PeakTableTexture {
+  gl::TextureHandle texture;
   ValueRange range;  ///< of the field
+  int bins = 0;
   float bin_scale = 0;
-  gl::TextureHandle
-      ranges;  ///< RG32F: the least and the greatest isovalue of a cell; (inf, -inf) where there is none
-  gl::TextureHandle runs;  ///< R32UI: the first candidate in the lower 16 bits, their count in the upper
 };
 /// Of `surfaces`, by value, in a field of this range.
-const PeakTableTextures& peak_table_textures(KeyedCache& held, const std::vector<Peak>& surfaces,
-                                             ValueRange field, int bins);
+const PeakTableTexture& peak_table_texture(KeyedCache& held, const std::vector<Peak>& surfaces,
+                                           ValueRange field, int bins);
 
 /// The peaks in the std430 layout of shaders/peaks.glsl; where there is none, one that is never met.
 GLuint peak_buffer(KeyedCache& held, const std::vector<Peak>& peaks);

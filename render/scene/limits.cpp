@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
+#include "presets/choices.h"
 #include "render/classify/peaks.h"
 
 namespace crest {
@@ -39,9 +40,7 @@ double greatest_opacity(const TransferFunction& tf, ValueRange range) {
 
 /// What DVR samples: in PEAK_XOR_DVR's split form, the TF without its spikes.
 TransferFunction dvr_tf(const Scene& scene) {
-  const bool is_base =
-      scene.rendering.mode == Mode::peak_xor_dvr && scene.rendering.peak_form == PeakForm::split;
-  return is_base ? base_transfer_function(scene.tf, find_peaks(scene.tf)) : scene.tf;
+  return takes_base_tf(scene.rendering) ? base_transfer_function(scene.tf, find_peaks(scene.tf)) : scene.tf;
 }
 
 /// The spacing of the float32 numbers at a range's end that is further from zero.
@@ -59,7 +58,7 @@ bool loses_digits(ScalarType type, ValueRange range) {
 }  // namespace
 
 double haze_rounding(const Scene& scene) {
-  if (scene.rendering.mode == Mode::peak_only) return 0;
+  if (!shows_dvr(scene.rendering.mode)) return 0;
   const double opacity = greatest_opacity(dvr_tf(scene), dvr_range(scene));
   return 4 * 0x1p-24 * extinction(opacity, scene.tf.unit_distance) * diagonal(scene.volume->grid);
 }

@@ -77,9 +77,8 @@ std::vector<std::string> shader_defines(const Features& features) {
   const auto add = [&](const char* name, bool in) { defines.push_back(fmt::format("{} {:d}", name, in)); };
   for (const FeatureName& feature : all_features())
     if (feature.define) add(feature.define, features.*feature.in);
-  add("PLACEMENT_EYE", features.placement == Placement::eye);
-  add("PLACEMENT_ENTRY", features.placement == Placement::entry);
-  add("PLACEMENT_ENTRY_EXIT", features.placement == Placement::entry_exit);
+  for (const auto& [placement, name] : names_of<Placement>())
+    defines.push_back(define_of("PLACEMENT", name, features.placement == placement));
   add_filter_defines(defines, features);
   for (const auto& [illumination, name] : names_of<Illumination>())
     defines.push_back(define_of("ILLUMINATION", name, features.illumination == illumination));

@@ -17,12 +17,20 @@ void bind_illumination(GLuint program, const Scene& scene, const StoredUnits& un
 }
 
 void set_blending(Illumination illumination, bool back_to_front) {
-  glBlendEquation(illumination == Illumination::maximum   ? GL_MAX
-                  : illumination == Illumination::minimum ? GL_MIN
-                                                          : GL_FUNC_ADD);
-  if (illumination == Illumination::mean)
-    glBlendFunc(GL_ONE, GL_ONE);
-  else if (back_to_front)
+  glBlendEquation(GL_FUNC_ADD);
+  switch (illumination) {
+    case Illumination::maximum:
+      return glBlendEquation(GL_MAX);
+    case Illumination::minimum:
+      return glBlendEquation(GL_MIN);
+    case Illumination::mean:
+      return glBlendFunc(GL_ONE, GL_ONE);
+    case Illumination::semi_transparent:
+    case Illumination::lookup:
+    case Illumination::iso_surface:
+      break;
+  }
+  if (back_to_front)
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   else
     glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);

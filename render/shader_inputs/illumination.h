@@ -10,8 +10,17 @@ namespace crest {
 /// Whether a filter shows values alone: it has no use for the TF, for shading, nor for skipping what the TF
 /// makes transparent.
 inline bool shows_values(Illumination illumination) {
-  return illumination == Illumination::maximum || illumination == Illumination::minimum ||
-         illumination == Illumination::mean;
+  switch (illumination) {
+    case Illumination::maximum:
+    case Illumination::minimum:
+    case Illumination::mean:
+      return true;
+    case Illumination::semi_transparent:
+    case Illumination::lookup:
+    case Illumination::iso_surface:
+      break;
+  }
+  return false;
 }
 
 /// The opacity from which on iso_surface takes a value for inside: half the TF's greatest in the field's

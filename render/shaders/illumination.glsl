@@ -31,8 +31,10 @@ void gather(float value, float light, float size, float share) {
   COMPOSITE(vec3(light), float(material.a >= iso_extinction));
 #elif ILLUMINATION_LOOKUP
   COMPOSITE(material.rgb * light, opacity_of(material.a * sample_thickness));
-#else
+#elif ILLUMINATION_SEMI_TRANSPARENT
   COMPOSITE(material.rgb * light, opacity_of(material.a * size));
+#else
+#error The illumination is not known here.
 #endif
 #endif
 }

@@ -22,11 +22,12 @@ uniform int max_peaks;
 #endif
 
 #if PEAK_TABLE
-// The table of entry and exit values, entry bin across and exit bin up: the least and the greatest isovalue that a
-// segment may cross (an empty range is the flag), and the run of peaks that they bound: first | count << 16.
-uniform sampler2D peak_table;
-uniform usampler2D peak_runs;
-uniform vec2 bin_min_scale;     // the bin is (value - x) * y, rounded down
+// The paper's table of entry and exit values (section 4.1), as two arrays over the bins. The peaks that a segment may
+// cross are a run of the sorted ones: its least value tells where the run begins, its greatest where it ends. x and z
+// are the isovalue and the index of the first peak that may be in the bin or above it, y and w the isovalue of the last
+// one that may be in it or below and one past its index. A run that ends before it begins is the flag "no peak".
+uniform sampler1D peak_table;
+uniform vec2 bin_min_scale;  // the bin is (value - x) * y, rounded down
 
 int bin_of(float value) {
   return clamp(int((value - bin_min_scale.x) * bin_min_scale.y), 0, textureSize(peak_table, 0).x - 1);
@@ -34,14 +35,14 @@ int bin_of(float value) {
 
 // Whether a segment whose values lie in [least, most] may cross a peak, and which: the order is the caller's.
 bool may_cross(float least, float most) {
-  vec2 range = texelFetch(peak_table, ivec2(bin_of(least), bin_of(most)), 0).rg;
-  return range.x <= most && range.y >= least;
+  float first = texelFetch(peak_table, bin_of(least), 0).x, last = texelFetch(peak_table, bin_of(most), 0).y;
+  return first <= most && last >= least;
 }
 
 void find_candidates(float least, float most, out uint first, out uint count) {
-  uint run = texelFetch(peak_runs, ivec2(bin_of(least), bin_of(most)), 0).r;
-  first = run & 0xffffu;
-  count = run >> 16;
+  float begin = texelFetch(peak_table, bin_of(least), 0).z, past = texelFetch(peak_table, bin_of(most), 0).w;
+  first = uint(begin);
+  count = uint(max(past - begin, 0.0));
 }
 
 // Whether a peak lies in [least, most] indeed.

@@ -22,13 +22,15 @@ Sampling sample_span(Ray ray, Span span) {
   return equal_segments(span, max(LEAST_SEGMENTS, int(ceil(left))), step_length, begin);
 #elif PLACEMENT_ENTRY
   return equal_segments(span, max(LEAST_SEGMENTS, int(ceil(steps - 0.5))), step_length, span.enter);
-#else
-#if PLACEMENT_ENTRY_EXIT
+#elif PLACEMENT_ENTRY_EXIT
   int n = max(LEAST_SEGMENTS, int(floor(steps)));
-#else
-  int n = max(1, int(ceil(steps)));
-#endif
   precise float dt = size / float(max(n, 1));
   return equal_segments(span, n, dt, span.enter);
+#elif PLACEMENT_ENTRY_EXIT_CORNER
+  int n = max(1, int(ceil(steps)));
+  precise float dt = size / float(n);
+  return equal_segments(span, n, dt, span.enter);
+#else
+#error The placement is not known here.
 #endif
 }

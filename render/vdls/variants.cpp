@@ -2,13 +2,14 @@
 
 #include <fmt/core.h>
 
+#include "presets/choices.h"
 #include "render/shader_inputs/features.h"
 #include "render/shader_inputs/illumination.h"
 
 namespace crest {
 
 bool is_shaded(const Rendering& rendering) {
-  return rendering.shading == Shading::gradient && !shows_values(rendering.illumination);
+  return takes_gradient(rendering.shading) && !shows_values(rendering.illumination);
 }
 
 std::vector<std::string> setup_defines(const Rendering& rendering, bool counts) {

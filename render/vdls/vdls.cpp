@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "presets/choices.h"
 #include "presets/error.h"
 #include "presets/names.h"
 #include "render/classify/stored_units.h"

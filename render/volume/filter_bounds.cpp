@@ -36,7 +36,14 @@ double largest_sum(std::span<const CubicWeight> p) {
 
 FilterBounds filter_bounds(const FieldFilter& filter) {
   FilterBounds bounds{.radius = radius_of(filter)};
-  if (filter.kind != Filter::bc) return bounds;
+  switch (filter.kind) {
+    case Filter::linear:
+    case Filter::linear_exact:
+    case Filter::bspline:
+      return bounds;  // no weight is negative
+    case Filter::bc:
+      break;
+  }
   const auto weights = filter_weights(filter);
   std::array<CubicWeight, 3> differences{};  // D_j: of v_{j+1} - v_j
   for (std::size_t j = 0; j < 3; ++j)

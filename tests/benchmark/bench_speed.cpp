@@ -15,6 +15,7 @@
 #include "app/offscreen_context.h"
 #include "presets/error.h"
 #include "presets/preset_file.h"
+#include "render/classify/peak_table.h"
 #include "render/files/load.h"
 #include "render/volume/builtin.h"
 #include "render/volume/macrocells.h"
@@ -147,8 +148,9 @@ void compete(benchmark::State& state, const Race& race) {
   state.counters["again"] = median(again);
 }
 
-/// An edit of a TF of 64 points over a volume of 64^3 macrocells: peaks, their table, the TF's, occupancy.
-void edit(benchmark::State& state) {
+/// An edit of a TF of 64 points over a volume of 64^3 macrocells: peaks, their table, the TF's, occupancy. In
+/// `large_tables` these have all the entries and bins that they may have.
+void edit(benchmark::State& state, bool large_tables) {
   Frame frame = frame_of("sphere?n=256", "onion", Mode::peak_xor_dvr);
   auto& points = frame.scene.tf.points;
   const double low = points.front().value, high = points.back().value;
@@ -160,6 +162,8 @@ void edit(benchmark::State& state) {
     points.push_back(point);
   }
   frame.scene.rendering.skipping = true;
+  frame.scene.rendering.peak_bins = large_tables ? largest_bins : frame.scene.rendering.peak_bins;
+  frame.forced.large_tables = large_tables;
   Contestant contestant(frame, size);
   std::vector<double> all;
   for (auto _ : state) {
@@ -187,7 +191,8 @@ int run(int argc, char** argv) {
     benchmark::RegisterBenchmark(name.c_str(), work)->UseManualTime()->Unit(benchmark::kMillisecond);
   };
   for (const Race& race : list) add(race.name, [&race](benchmark::State& state) { compete(state, race); });
-  add("an edit of 64 points", edit);
+  add("an edit of 64 points", [](benchmark::State& state) { edit(state, false); });
+  add("an edit of 64 points, 4096 bins", [](benchmark::State& state) { edit(state, true); });
   benchmark::RunSpecifiedBenchmarks();
   benchmark::ClearRegisteredBenchmarks();
   return 0;

@@ -46,6 +46,15 @@ TEST_F(StackTest, FolderIsSortedAsAPersonCounts) {
   EXPECT_EQ(load_volume(path("stack") + "/").name, "stack");
 }
 
+TEST_F(StackTest, ANumbersLeadingZerosDoNotCount) {
+  const char* names[] = {"1", "02", "003", "10", "0011"};
+  for (int page = 0; page < 5; ++page)
+    write_image(fmt::format("zeros/slice{}.png", names[page]), OIIO::TypeUInt16, page, 1);
+  const Volume volume = load_volume(path("zeros"));
+  ASSERT_EQ(volume.grid.dims.z, 5);
+  for (int k = 0; k < 5; ++k) EXPECT_EQ(volume.at(3, 2, k), float(100 * k + 23)) << "slice" << names[k];
+}
+
 TEST_F(StackTest, MultiPageTiffKeepsItsNumbers) {
   for (const OIIO::TypeDesc& type :
        {OIIO::TypeUInt16, OIIO::TypeFloat, OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE)}) {

@@ -73,11 +73,6 @@ StudioRequests Studio::frame() {
   inputs.peaks = peaks_;
   surfaces_ = shown_peaks(peaks_);
   inputs.surfaces = surfaces_;
-  if (inputs.volume) {
-    table_ = build_peak_table(surfaces_, volume.statistics.range, document.preset.rendering.peak_bins);
-    inputs.table = &table_;
-    inputs.table_texture = 1;
-  }
   ImGui::NewFrame();
   requests = studio_frame(document, *state, inputs);
   ImGui::Render();

@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "render/classify/peak_table.h"
 #include "render/classify/peaks.h"
 #include "ui/studio.h"
 #include "ui/studio_state.h"
@@ -21,7 +20,7 @@ Volume bump_volume(int n = 12);
 std::vector<ControlPoint> points_of(std::initializer_list<std::pair<double, double>> places);
 
 /// The studio without a window: Dear ImGui is given a mouse and keys, and each frame is drawn into nothing.
-/// Peaks and the table are found between frames, as the program does.
+/// Peaks are found between frames, as the program does.
 class Studio : public ::testing::Test {
  protected:
   Studio();
@@ -62,7 +61,6 @@ class Studio : public ::testing::Test {
 
  private:
   std::vector<Peak> peaks_, surfaces_;
-  PeakTable table_;
 };
 
 }  // namespace crest::test

@@ -262,8 +262,6 @@ TEST_F(Views, AWarningStandsInItsViewAlone) {
 
 TEST_F(Hostile, NoVolume) {
   inputs.volume = nullptr;
-  inputs.table = nullptr;
-  inputs.table_texture = 0;
   document.preset.rendering.clip_box = ClipBox{};
   frames(3);
   click("tab/Rendering");
@@ -290,7 +288,6 @@ TEST_F(Hostile, NoPoints) {
 
 TEST_F(Hostile, StatisticsThatAreNoNumbers) {
   volume.statistics.range = {std::nan(""), std::nan("")};
-  inputs.table = nullptr;
   ImGui::NewFrame();
   StudioInputs strange = inputs;
   strange.camera.eye = glm::dvec3(std::numeric_limits<double>::quiet_NaN());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "presets/choices.h"
 #include "presets/names.h"
 #include "render/measure/timing.h"
 #include "render/reference/cache.h"
@@ -72,7 +73,7 @@ Shot KnollLab::shoot(const KnollScene& scene, const Variant& variant, bool with_
   shot.peak_bins = need.features.peak_table ? need.peak_bins : 0;
   std::vector<std::uint32_t> crossings;
   for (const PixelCounts& pixel : pixels) crossings.push_back(pixel.crossings);
-  if (measured.rendering.mode == Mode::dvr_only) crossings.clear();
+  if (!shows_surfaces(measured.rendering.mode)) crossings.clear();
   shot.answer = answer_of(measured.rendering);
   shot.error = image_error(wanted, image, crossings, measured.rendering.background);
   if (!with_pictures) return shot;

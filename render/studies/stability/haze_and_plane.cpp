@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
+#include "presets/choices.h"
 #include "render/scene/camera.h"
 
 namespace crest::stability {
@@ -58,10 +59,10 @@ glm::dvec4 pixel_of(const HazeAndPlane& haze, Mode mode, const RayInBox& ray) {
   const double size = ray.exit - ray.enter, isovalue = haze.isovalue();
   const double first = field_at(haze, ray.eye + ray.enter * ray.direction);
   const double last = field_at(haze, ray.eye + ray.exit * ray.direction);
-  const bool crossed = mode != Mode::dvr_only && (first < isovalue) != (last < isovalue);
+  const bool crossed = shows_surfaces(mode) && (first < isovalue) != (last < isovalue);
   const double before = crossed ? size * (isovalue - first) / (last - first) : size;
   const auto add_haze = [&](double length) {
-    if (mode != Mode::peak_only)
+    if (shows_dvr(mode))
       layers.add(haze_color, -std::expm1(std::log1p(-haze.haze_opacity) * length / haze.unit_distance));
   };
   add_haze(before);

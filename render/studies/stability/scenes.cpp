@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
+#include "presets/choices.h"
 #include "render/volume/builtin.h"
 
 namespace crest::stability {
@@ -95,7 +96,7 @@ TransferFunction haze_with_surface(ValueRange range, double isovalue, double haz
   const ControlPoint haze = point(isovalue, haze_opacity, blue);
   std::vector<ControlPoint> points{point(range.min, haze_opacity, blue),
                                    point(range.max, haze_opacity, blue)};
-  if (mode != Mode::dvr_only) {
+  if (shows_surfaces(mode)) {
     ControlPoint surface = point(isovalue, surface_opacity, red);
     surface.surface.mode = SurfaceMode::on;  // it may be fainter than the haze
     points.insert(points.begin() + 1, {haze, surface, haze});

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "presets/choices.h"
 #include "presets/names.h"
 #include "render/scene/camera.h"
 #include "render/studies/stability/cases.h"
@@ -301,7 +302,7 @@ std::vector<Row> outside_the_data(Lab& lab) {
       Worst worst;
       std::vector<Image> pictures;
       for (const Mode mode : tested_modes) {
-        if (!clear && mode == Mode::peak_only) continue;  // there is no surface, and all else is empty
+        if (!clear && !shows_dvr(mode)) continue;  // there is no surface, and all else is empty
         pictures.push_back(lab.draw(make_scene(volume, tf, mode), along_z(volume->grid, 8), small));
         worst.take(largest_difference(pictures.back(), everywhere(haze_pixel(near, 4, 16))),
                    crest::name_of(mode));
