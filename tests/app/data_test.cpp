@@ -2,9 +2,9 @@
 #include <numeric>
 #include <sstream>
 
-#include "presets/json.h"
 #include "presets/transfer_function.h"
 #include "program.h"
+#include "tests/json.h"
 
 namespace crest::test {
 namespace {
@@ -89,7 +89,7 @@ TEST_F(Data, ExportToParaView) {
   EXPECT_EQ(plain.exit_code, 0);
   EXPECT_EQ(plain.out, "");
   EXPECT_NE(plain.err.find("ScalarOpacityUnitDistance"), std::string::npos) << "what is lost is told";
-  const auto map = nlohmann::json::parse(content_of(path("p.json"))).at(0);
+  const auto map = test::parse_json(content_of(path("p.json"))).at(0);
   EXPECT_EQ(map["Name"], "Four peaks");
   ASSERT_EQ(map["Points"].size(), 16u * 4);
   ASSERT_EQ(map["RGBPoints"].size(), 16u * 4);
@@ -99,7 +99,7 @@ TEST_F(Data, ExportToParaView) {
   const Outcome fitted = run(
       {"export", "four-peaks", "--to", "paraview", "-o", path("v.json"), "--volume", "builtin:linear?n=5"});
   EXPECT_EQ(fitted.exit_code, 0) << fitted.err;
-  const auto of_volume = nlohmann::json::parse(content_of(path("v.json"))).at(0);
+  const auto of_volume = test::parse_json(content_of(path("v.json"))).at(0);
   EXPECT_NEAR(of_volume["Points"][3 * 4], -1.75 + 3.5 * 0.455, 1e-12);
   EXPECT_NE(fitted.err.find("8 world units"), std::string::npos) << fitted.err;  // 16 voxels of 0.5
 }

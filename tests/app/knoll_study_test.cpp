@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <regex>
 
-#include "presets/json.h"
 #include "program.h"
+#include "tests/json.h"
 
 namespace crest::test {
 namespace {
@@ -23,8 +23,8 @@ TEST_F(KnollStudy, OfWhatTheBudgetHasTimeFor) {
   const Outcome outcome = run(study_to("out", "2s") + Words{"--json"}, no_real_volumes);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("table 1: heptane (fig. 3)"), std::string::npos) << outcome.err;
-  const json study = json::parse(content_of(path("out/knoll.json")));
-  EXPECT_EQ(json::parse(outcome.out), study);
+  const json study = test::parse_json(content_of(path("out/knoll.json")));
+  EXPECT_EQ(test::parse_json(outcome.out), study);
   EXPECT_EQ(study["format"], "crest-knoll-study");
   EXPECT_EQ(study["claims"].size(), 10u);
 
@@ -71,7 +71,7 @@ TEST_F(KnollStudy, ThePageStandsAloneAndAPresetRendersItsScene) {
   EXPECT_FALSE(std::regex_search(page, std::regex(R"(<(link|script|img)[^>]*(src|href)=)")));
   const std::string begin = "<script type=\"application/json\" id=\"data\">";
   const std::size_t at = page.find(begin) + begin.size();
-  const json data = json::parse(page.substr(at, page.find("</script>", at) - at));
+  const json data = test::parse_json(page.substr(at, page.find("</script>", at) - at));
   std::size_t panels = 0;
   for (const json& figure : data["figures"])
     for (const json& panel : figure["panels"])

@@ -1,5 +1,5 @@
 #include "page.h"
-#include "presets/json.h"
+#include "tests/json.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ nlohmann::json expect_standalone_page(const std::string& page) {
     return {};
   }
   const std::size_t from = at + begin.size();
-  return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+  return test::parse_json(page.substr(from, page.find("</script>", from) - from));
 }
 
 }  // namespace crest::test

@@ -1,9 +1,9 @@
 #include <cmath>
 
 #include "page.h"
-#include "presets/json.h"
 #include "program.h"
 #include "render/files/image.h"
+#include "tests/json.h"
 
 namespace crest::test {
 namespace {
@@ -19,7 +19,7 @@ class PlacementStudy : public ProgramTest {
     return Words{"report", "--study", "placement", "--size", "24x24", "-o", path(folder)} + options;
   }
   json json_in(const std::string& folder) const {
-    return json::parse(content_of(path(folder + "/placement.json")));
+    return test::parse_json(content_of(path(folder + "/placement.json")));
   }
 };
 
@@ -97,7 +97,7 @@ TEST_F(PlacementStudy, OfItsOwnScenes) {
   const Outcome outcome = run(study_to("new/out", {"--json"}));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json study = json_in("new/out");
-  EXPECT_EQ(json::parse(outcome.out), study);
+  EXPECT_EQ(test::parse_json(outcome.out), study);
   EXPECT_EQ(study["format"], "crest-placement-study");
   expect_plane(study["plane"]);
   ASSERT_EQ(study["volumes"].size(), 4U);

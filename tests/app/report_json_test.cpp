@@ -8,6 +8,7 @@
 #include "app/report/report_pictures.h"
 #include "json_schema.h"
 #include "program.h"
+#include "tests/json.h"
 #include "tests/paths.h"
 
 namespace crest {
@@ -15,7 +16,9 @@ namespace {
 
 using nlohmann::json;
 
-json schema() { return json::parse(test::content_of(test::source_folder() / "docs/report.schema.json")); }
+json schema() {
+  return test::parse_json(test::content_of(test::source_folder() / "docs/report.schema.json"));
+}
 
 Image grey(float value) { return {{2, 2}, std::vector<glm::vec4>(4, glm::vec4(value))}; }
 
@@ -59,13 +62,13 @@ Report small_report() {
 }
 
 TEST(ReportJson, IsAsItsSchemaSays) {
-  const json report = json::parse(print_json(report_json(small_report())));
+  const json report = test::parse_json(print_json(report_json(small_report())));
   EXPECT_EQ(test::schema_faults(report, schema()), std::vector<std::string>{});
 }
 
 // Else the test above could not fail.
 TEST(ReportJson, TheSchemaSeesFaults) {
-  const json right = json::parse(print_json(report_json(small_report())));
+  const json right = test::parse_json(print_json(report_json(small_report())));
   const auto is_refused = [&](const char* pointer, const json& value) {
     json wrong = right;
     wrong[json::json_pointer(pointer)] = value;

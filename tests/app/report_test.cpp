@@ -5,9 +5,9 @@
 
 #include "json_schema.h"
 #include "page.h"
-#include "presets/json.h"
 #include "program.h"
 #include "render/measure/methods.h"
+#include "tests/json.h"
 #include "tests/paths.h"
 
 namespace crest::test {
@@ -22,7 +22,7 @@ class ReportTest : public ProgramTest {
     return {"report", "builtin:sphere?n=12", "--preset", "onion", "--size", "24x24", "-o", path(folder)};
   }
   json json_in(const std::string& folder) const {
-    return json::parse(content_of(path(folder + "/report.json")));
+    return test::parse_json(content_of(path(folder + "/report.json")));
   }
 };
 
@@ -31,8 +31,8 @@ TEST_F(ReportTest, OfASmallScene) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(names(), Words{"out"});
   const json report = json_in("out");
-  EXPECT_EQ(json::parse(outcome.out), report);
-  const json schema = json::parse(content_of(test::source_folder() / "docs/report.schema.json"));
+  EXPECT_EQ(test::parse_json(outcome.out), report);
+  const json schema = test::parse_json(content_of(test::source_folder() / "docs/report.schema.json"));
   EXPECT_EQ(schema_faults(report, schema), Words{});
 
   // Every method, against its own exact answer, and the finer step is the closer one
@@ -120,7 +120,7 @@ TEST_F(ReportTest, PaysForAnExactAnswerOnce) {
       "--engine", "reference",           "-o",       path("exact.png")};
   const Outcome exact = run(render, cache);
   ASSERT_EQ(exact.exit_code, 0) << exact.err;
-  EXPECT_EQ(json::parse(exact.out)["from_cache"], true);
+  EXPECT_EQ(test::parse_json(exact.out)["from_cache"], true);
 }
 
 TEST_F(ReportTest, StoppedItKeepsWhatWasMeasured) {

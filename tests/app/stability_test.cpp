@@ -3,8 +3,8 @@
 #include <set>
 
 #include "page.h"
-#include "presets/json.h"
 #include "program.h"
+#include "tests/json.h"
 
 namespace crest::test {
 namespace {
@@ -20,8 +20,8 @@ class Stability : public ProgramTest {
 TEST_F(Stability, WritesAllOfItsTable) {
   const Outcome outcome = run(stability({"--size", "16x16", "-o", path("new/folder"), "--json"}));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json table = json::parse(outcome.out);
-  EXPECT_EQ(json::parse(content_of(path("new/folder/stability.json"))), table);
+  const json table = test::parse_json(outcome.out);
+  EXPECT_EQ(test::parse_json(content_of(path("new/folder/stability.json"))), table);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("new/folder")), {}), 2);
 
   std::set<std::string> rows, groups;

@@ -1,6 +1,6 @@
 
-#include "presets/json.h"
 #include "program.h"
+#include "tests/json.h"
 
 namespace crest::test {
 namespace {
@@ -13,7 +13,7 @@ TEST_F(VdlsStudy, HasAllItsParts) {
   const Outcome outcome =
       run({"report", "--study", "vdls", "--size", "24x24", "--budget", "1s", "-o", path("out")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json study = json::parse(content_of(path("out/vdls.json")));
+  const json study = test::parse_json(content_of(path("out/vdls.json")));
   EXPECT_EQ(study["format"], "crest-vdls-study");
   ASSERT_EQ(study["table"].size(), 6u);
   for (const json& row : study["table"]) {

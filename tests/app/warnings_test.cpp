@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "presets/json.h"
 #include "program.h"
+#include "tests/json.h"
 
 namespace crest::test {
 namespace {
@@ -36,7 +36,7 @@ TEST_F(Warnings, OrdinaryPicturesHaveNone) {
 TEST_F(Warnings, AreInTheStatisticsAndOnStderr) {
   const Outcome outcome = run(picture_of("render", "builtin:sphere?n=16") + dense + Words{"--mode", "both"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json warnings = json::parse(outcome.out)["warnings"];
+  const json warnings = test::parse_json(outcome.out)["warnings"];
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].get<std::string>().find("densest material"), std::string::npos);
   EXPECT_EQ(outcome.err, "crest: warning: " + warnings[0].get<std::string>() + "\n");
@@ -46,7 +46,7 @@ TEST_F(Warnings, AreInTheStatisticsAndOnStderr) {
 TEST_F(Warnings, OfSeveralPicturesAreToldOnce) {
   const Outcome outcome = run(picture_of("compare", "builtin:sphere?n=16") + dense);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const json& mode : json::parse(outcome.out)["modes"])
+  for (const json& mode : test::parse_json(outcome.out)["modes"])
     EXPECT_EQ(mode["warnings"].size(), mode["mode"] == "PEAK_ONLY" ? 0U : 1U) << mode["mode"];
   EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
 }
@@ -64,7 +64,7 @@ TEST_F(Warnings, ExactAnswersHaveThoseOfTheVolumeAlone) {
   for (const Words& engine : {Words{}, exactly}) {
     const Outcome outcome = run(picture_of("render", far_from_zero()) + engine);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const json warnings = json::parse(outcome.out)["warnings"];
+    const json warnings = test::parse_json(outcome.out)["warnings"];
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_NE(warnings[0].get<std::string>().find("float64"), std::string::npos);
     EXPECT_EQ(outcome.err, "crest: warning: " + warnings[0].get<std::string>() + "\n");

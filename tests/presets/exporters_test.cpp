@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "presets/error.h"
-#include "presets/json.h"
+#include "tests/json.h"
 #include "tests/presets/random_preset.h"
 
 namespace crest {
@@ -39,7 +39,7 @@ TEST(ParaView, HoldsEveryPointExactly) {
   std::mt19937 random(2);
   for (int trial = 0; trial < 100; ++trial) {
     const TransferFunction tf = random_preset(random).transfer_function;
-    const auto root = nlohmann::json::parse(find_exporter("paraview").write("Name", tf, {}));
+    const auto root = test::parse_json(find_exporter("paraview").write("Name", tf, {}));
     ASSERT_TRUE(root.is_array() && root.size() == 1);
     const auto& map = root[0];
     EXPECT_EQ(map["Name"], "Name");

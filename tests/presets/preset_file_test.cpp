@@ -1,5 +1,5 @@
 #include "presets/preset_file.h"
-#include "presets/json.h"
+#include "tests/json.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using nlohmann::json;
 
 /// A whole preset with every field, to be spoiled one field at a time.
 json sample() {
-  return json::parse(R"({
+  return test::parse_json(R"({
     "format": "crest-preset", "version": 1, "name": "Two shells", "notes": "n",
     "transfer_function": {"domain": "normalized", "unit_distance": 2.5, "unit": "voxel", "min_prominence": 0.1,
       "plateau_width": 0.25, "spike_width": 0.02,
@@ -149,7 +149,7 @@ TEST(WritePreset, KeepsUnknownKeysWhereTheyWere) {
     with_unknown[json::json_pointer(place)]["later"] = {{"deep", {1, 2.5, nullptr, "text"}},
                                                         {"big", 123456789012}};
   const Preset preset = parse_preset(with_unknown.dump(), "FILE");
-  const json written = json::parse(write_preset(preset));
+  const json written = test::parse_json(write_preset(preset));
   for (const char* place : {"", "/transfer_function", "/transfer_function/points/0",
                             "/transfer_function/points/1/surface", "/rendering", "/camera"})
     EXPECT_EQ(written[json::json_pointer(place)].value("later", json()), with_unknown["later"]) << place;
@@ -220,7 +220,7 @@ TEST(ParsePreset, RefusesWrongFieldsWithTheirPath) {
   };
   for (const auto& [place, value, error] : cases) {
     json spoiled = sample();
-    spoiled[json::json_pointer(place)] = json::parse(value);
+    spoiled[json::json_pointer(place)] = test::parse_json(value);
     EXPECT_EQ(error_of(spoiled.dump()), std::string("FILE: ") + error);
   }
 }
