@@ -38,7 +38,8 @@ bool ViewRequest::operator==(const ViewRequest& other) const {
          scene.rendering == other.scene.rendering && camera == other.camera && size == other.size;
 }
 
-ViewRenderer::ViewRenderer(std::filesystem::path shader_folder) : renderer_(std::move(shader_folder)) {}
+ViewRenderer::ViewRenderer(std::filesystem::path shader_folder, std::filesystem::path program_folder)
+    : renderer_(std::move(shader_folder), std::move(program_folder)) {}
 
 void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, double budget_ms,
                         bool interactive) {

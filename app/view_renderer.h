@@ -24,7 +24,8 @@ struct ViewRequest {
 /// dropped when the request changes. Nothing is drawn again that did not change.
 class ViewRenderer {
  public:
-  explicit ViewRenderer(std::filesystem::path shader_folder);
+  /// As Renderer.
+  explicit ViewRenderer(std::filesystem::path shader_folder = {}, std::filesystem::path program_folder = {});
 
   /// Works for about `budget_ms`. A view that cannot be drawn keeps its last picture; error() says why.
   /// `interactive`: begin with coarse pictures, since more changes are to come.

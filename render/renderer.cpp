@@ -2,10 +2,12 @@
 
 namespace crest {
 
-Renderer::Renderer(std::filesystem::path shader_folder)
-    : shader_folder_(std::move(shader_folder)), raycaster_(shader_folder_) {}
+Renderer::Renderer(std::filesystem::path shader_folder, std::filesystem::path program_folder)
+    : shader_folder_(std::move(shader_folder)),
+      program_folder_(std::move(program_folder)),
+      raycaster_(shader_folder_, program_folder_) {}
 
-Vdls& Renderer::vdls() { return vdls_ ? *vdls_ : vdls_.emplace(shader_folder_); }
+Vdls& Renderer::vdls() { return vdls_ ? *vdls_ : vdls_.emplace(shader_folder_, program_folder_); }
 
 void Renderer::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
   if (scene.rendering.engine == Engine::vdls)

@@ -19,8 +19,9 @@ inline Rendering in_mode(Rendering rendering, Mode mode) {
 /// current throughout.
 class Renderer {
  public:
-  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself.
-  explicit Renderer(std::filesystem::path shader_folder = {});
+  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself. Linked programs
+  /// are kept in `program_folder` for the next start, unless it is empty.
+  explicit Renderer(std::filesystem::path shader_folder = {}, std::filesystem::path program_folder = {});
 
   /// As Raycaster::draw and Vdls::draw.
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile);
@@ -42,7 +43,7 @@ class Renderer {
   const std::string& shader_error() const;
 
  private:
-  std::filesystem::path shader_folder_;
+  std::filesystem::path shader_folder_, program_folder_;
   Raycaster raycaster_;
   std::optional<Vdls> vdls_;
 };

@@ -73,7 +73,8 @@ struct Tables {
 }  // namespace
 
 struct Raycaster::State {
-  explicit State(std::filesystem::path shader_folder) : programs(std::move(shader_folder)) {}
+  State(std::filesystem::path shader_folder, std::filesystem::path program_folder)
+      : programs(std::move(shader_folder), std::move(program_folder)) {}
 
   gl::ProgramCache programs;
   gl::VertexArrayHandle vertex_array;
@@ -238,8 +239,8 @@ void Raycaster::State::bind_peaks(const Need& need, GLuint program) {
       glm::vec2(units.stored(held.peak_table->range.min), held.peak_table->bin_scale / units.scale));
 }
 
-Raycaster::Raycaster(std::filesystem::path shader_folder)
-    : state_(std::make_unique<State>(std::move(shader_folder))) {
+Raycaster::Raycaster(std::filesystem::path shader_folder, std::filesystem::path program_folder)
+    : state_(std::make_unique<State>(std::move(shader_folder), std::move(program_folder))) {
   GLuint id = 0;
   glCreateVertexArrays(1, &id);
   state_->vertex_array = gl::VertexArrayHandle(id);

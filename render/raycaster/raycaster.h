@@ -16,8 +16,9 @@ namespace crest {
 /// the shader variants) and rebuilds only what changed. A GL 4.5 context must be current throughout.
 class Raycaster {
  public:
-  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself.
-  explicit Raycaster(std::filesystem::path shader_folder = {});
+  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself. Linked programs
+  /// are kept in `program_folder` for the next start, unless it is empty.
+  explicit Raycaster(std::filesystem::path shader_folder = {}, std::filesystem::path program_folder = {});
   ~Raycaster();
   Raycaster(Raycaster&&) noexcept;
 

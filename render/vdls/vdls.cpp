@@ -60,7 +60,8 @@ struct Leaves {
 }  // namespace
 
 struct Vdls::State {
-  explicit State(std::filesystem::path shader_folder) : programs(std::move(shader_folder)) {}
+  State(std::filesystem::path shader_folder, std::filesystem::path program_folder)
+      : programs(std::move(shader_folder), std::move(program_folder)) {}
 
   gl::ProgramCache programs;
   gl::VertexArrayHandle vertex_array;
@@ -238,7 +239,8 @@ void Vdls::State::draw_layers(const Scene& scene, const Camera& camera, glm::ive
   glDisable(GL_BLEND);
 }
 
-Vdls::Vdls(std::filesystem::path shader_folder) : state_(std::make_unique<State>(std::move(shader_folder))) {
+Vdls::Vdls(std::filesystem::path shader_folder, std::filesystem::path program_folder)
+    : state_(std::make_unique<State>(std::move(shader_folder), std::move(program_folder))) {
   GLuint id = 0;
   glCreateVertexArrays(1, &id);
   state_->vertex_array = gl::VertexArrayHandle(id);

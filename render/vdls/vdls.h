@@ -27,8 +27,9 @@ struct VdlsWork {
 /// current throughout.
 class Vdls {
  public:
-  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself.
-  explicit Vdls(std::filesystem::path shader_folder = {});
+  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself. Linked programs
+  /// are kept in `program_folder` for the next start, unless it is empty.
+  explicit Vdls(std::filesystem::path shader_folder = {}, std::filesystem::path program_folder = {});
   ~Vdls();
   Vdls(Vdls&&) noexcept;
 
