@@ -1,5 +1,7 @@
 #include "render/renderer.h"
 
+#include "render/gl/errors.h"
+
 namespace crest {
 
 Renderer::Renderer(std::filesystem::path shader_folder, std::filesystem::path program_folder)
@@ -10,10 +12,12 @@ Renderer::Renderer(std::filesystem::path shader_folder, std::filesystem::path pr
 Vdls& Renderer::vdls() { return vdls_ ? *vdls_ : vdls_.emplace(shader_folder_, program_folder_); }
 
 void Renderer::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
+  gl::forget_errors();
   if (scene.rendering.engine == Engine::vdls)
     vdls().draw(scene, camera, target, tile);
   else
     raycaster_.draw(scene, camera, target, tile);
+  gl::require_no_error("drawing", target.size());
 }
 
 void Renderer::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
