@@ -12,4 +12,9 @@ std::filesystem::path cache_folder() {
   return {};
 }
 
+std::filesystem::path program_folder() {
+  const std::filesystem::path cache = cache_folder();
+  return cache.empty() ? cache : cache / "programs";
+}
+
 }  // namespace crest

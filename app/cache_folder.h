@@ -8,4 +8,7 @@ namespace crest {
 /// neither is known. It need not exist.
 std::filesystem::path cache_folder();
 
+/// The part of it for linked shader programs; empty where the cache folder is.
+std::filesystem::path program_folder();
+
 }  // namespace crest

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/cache_folder.h"
 #include "app/commands.h"
 #include "app/compare.h"
 #include "app/exact_picture.h"
@@ -50,7 +51,7 @@ Image grid_of(const std::vector<LabelledPicture>& pictures, glm::vec3 background
 Comparison compare_on_gpu(const std::vector<Scene>& scenes, const Camera& camera,
                           const PictureOptions& options) {
   const OffscreenContext context(options.device);
-  Renderer renderer;
+  Renderer renderer({}, program_folder());
   auto measured = measure_pictures(renderer, scenes, camera, options.pixels(), options.frames, options.json);
   Comparison comparison{{}, context.renderer()};
   auto& pictures = comparison.pictures;

@@ -41,7 +41,7 @@ std::vector<Device> find_devices() {
 }
 
 /// The context on one display, made current; null when the display cannot give it.
-EGLContext make_current_context(EGLDisplay display) {
+EGLContext make_current_context(EGLDisplay display, bool debug) {
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return EGL_NO_CONTEXT;
   eglBindAPI(EGL_OPENGL_API);
   const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
@@ -50,6 +50,8 @@ EGLContext make_current_context(EGLDisplay display) {
                                5,
                                EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                               EGL_CONTEXT_FLAGS_KHR,
+                               debug ? EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR : 0,
                                EGL_NONE};
   EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
   if (context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
@@ -61,7 +63,7 @@ EGLContext make_current_context(EGLDisplay display) {
 
 }  // namespace
 
-OffscreenContext::OffscreenContext(int device) {
+OffscreenContext::OffscreenContext(int device, bool debug) {
   const auto devices = find_devices();
   if (device >= int(devices.size()))
     throw Error(fmt::format("--device {}: there are {} graphics devices (crest list devices)", device,
@@ -69,11 +71,11 @@ OffscreenContext::OffscreenContext(int device) {
   for (int i = 0; i < int(devices.size()) && !context_; ++i) {
     if (device >= 0 && i != device) continue;
     display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[std::size_t(i)].device, nullptr);
-    context_ = make_current_context(display_);
+    context_ = make_current_context(display_, debug);
   }
   if (!context_ && device < 0) {
     display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    context_ = make_current_context(display_);
+    context_ = make_current_context(display_, debug);
   }
   if (!context_)
     throw Error(

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "app/cache_folder.h"
 #include "app/commands.h"
 #include "app/exact_picture.h"
 #include "app/offscreen_context.h"
@@ -23,7 +24,7 @@ void print_statistics(nlohmann::ordered_json json, const std::string& renderer) 
 
 void render_on_gpu(const Scene& scene, const Camera& camera, const PictureOptions& options) {
   const OffscreenContext context(options.device);
-  Renderer renderer;
+  Renderer renderer({}, program_folder());
   const auto picture =
       measure_pictures(renderer, {scene}, camera, options.pixels(), options.frames, options.json)[0];
   write_image(options.output, picture.image, scene.rendering.background);

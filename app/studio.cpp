@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "app/cache_folder.h"
 #include "app/scene_options.h"
 #include "presets/error.h"
 #include "presets/preset_file.h"
@@ -32,7 +33,7 @@ Studio::Studio(Document document, std::shared_ptr<const Volume> volume, std::fil
     : document_(std::move(document)),
       saved_(document_.preset),
       loaded_{document_.volume_source, std::move(volume)},
-      views_(std::move(shader_folder)) {
+      views_(std::move(shader_folder), program_folder()) {
   if (loaded_.volume) recent_.add(loaded_.source);
   if (document_.volume_source.empty())
     say("Open a volume: Ctrl+O, the Volume menu, or drop a file on the window");

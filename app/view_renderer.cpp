@@ -4,7 +4,6 @@
 #include <cmath>
 #include <exception>
 
-#include "render/measure/timing.h"
 #include "render/scene/limits.h"
 
 namespace crest {
@@ -14,6 +13,8 @@ namespace {
 constexpr double coarse_ms = 5;
 /// A slice that is drawn at once: the window cannot react meanwhile.
 constexpr double slice_ms = 8;
+/// So many slices of a view may wait for the device: one that it draws, and one to go on with.
+constexpr std::size_t most_queued = 2;
 constexpr int coarsest = 16;
 /// Costs are counted on a picture this much smaller than the view.
 constexpr int count_coarseness = 8;
@@ -38,7 +39,8 @@ bool ViewRequest::operator==(const ViewRequest& other) const {
          scene.rendering == other.scene.rendering && camera == other.camera && size == other.size;
 }
 
-ViewRenderer::ViewRenderer(std::filesystem::path shader_folder) : renderer_(std::move(shader_folder)) {}
+ViewRenderer::ViewRenderer(std::filesystem::path shader_folder, std::filesystem::path program_folder)
+    : renderer_(std::move(shader_folder), std::move(program_folder)) {}
 
 void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, double budget_ms,
                         bool interactive) {
@@ -58,7 +60,7 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
   const auto spent_ms = [&] {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   };
-  while (spent_ms() < budget_ms) {
+  for (take_times(); spent_ms() + queued_ms() < budget_ms; take_times()) {
     View* view = next_view();
     if (!view) break;
     try {
@@ -94,9 +96,28 @@ void ViewRenderer::give_up(View& view, std::string why) {
 bool ViewRenderer::is_busy() const {
   return std::ranges::any_of(views_, [](const View& view) {
     return view.wanted.size.x > 0 && view.wanted.scene.volume &&
-           (view.pass || view.shown_version != view.wanted_version || view.shown_coarseness != 1 ||
-            !view.is_counted);
+           (view.pass || !view.queued.empty() || view.shown_version != view.wanted_version ||
+            view.shown_coarseness != 1 || !view.is_counted);
   });
+}
+
+void ViewRenderer::take_times() {
+  for (View& view : views_)
+    for (; !view.queued.empty() && gl::is_over(view.queued.front().time); view.queued.pop_front()) {
+      const Slice& slice = view.queued.front();
+      const double ms = gl::measured_ms(slice.time);
+      double& ms_per_pixel = slice.is_full ? view.ms_per_pixel : view.coarse_ms_per_pixel;
+      ms_per_pixel = std::max(1e-7, 0.5 * ms_per_pixel + 0.5 * ms / slice.pixels);
+      view.pass_ms = (slice.is_first ? 0 : view.pass_ms) + ms;
+      if (slice.is_full && slice.is_last) view.frame_ms = view.pass_ms;
+    }
+}
+
+double ViewRenderer::queued_ms() const {
+  double ms = 0;
+  for (const View& view : views_)
+    for (const Slice& slice : view.queued) ms += slice.expected_ms;
+  return ms;
 }
 
 /// In turn: first the views that show an old picture, then those that show a coarse one, then those not
@@ -106,7 +127,7 @@ ViewRenderer::View* ViewRenderer::next_view() {
   int best_rank = 3;
   for (std::size_t i = 1; i <= view_count; ++i) {
     View& view = views_[(last_view_ + i) % view_count];
-    if (view.wanted.size.x <= 0 || !view.wanted.scene.volume) continue;
+    if (view.wanted.size.x <= 0 || !view.wanted.scene.volume || view.queued.size() >= most_queued) continue;
     const int rank = view.shown_version != view.wanted_version ? 0
                      : view.shown_coarseness != 1              ? 1
                      : !view.is_counted                        ? 2
@@ -137,23 +158,25 @@ void ViewRenderer::begin_pass(View& view, bool interactive) {
 void ViewRenderer::draw_slice(View& view, double wanted_ms) {
   Pass& pass = *view.pass;
   const glm::ivec2 size = pass.target->size();
-  double& ms_per_pixel = pass.coarseness == 1 ? view.ms_per_pixel : view.coarse_ms_per_pixel;
+  const bool is_full = pass.coarseness == 1;
+  const double ms_per_pixel = is_full ? view.ms_per_pixel : view.coarse_ms_per_pixel;
   const int rows = std::max(int(std::min(wanted_ms / (ms_per_pixel * size.x), 1e6)), 4);
   const Tile tile{{0, pass.next_row}, {size.x, std::min(pass.next_row + rows, size.y)}};
-  const double ms = finished_ms([&] {
+  const double pixels = double(tile.end.x) * (tile.end.y - tile.begin.y);
+  gl::QueryHandle time = gl::time_on_device([&] {
     renderer_.draw(coarse_scene(pass.request.scene, pass.coarseness), pass.request.camera, *pass.target,
                    tile);
   });
-  const double pixels = double(tile.end.x) * (tile.end.y - tile.begin.y);
-  ms_per_pixel = std::max(1e-7, 0.5 * ms_per_pixel + 0.5 * ms / pixels);
-  pass.ms += ms;
+  view.queued.push_back(
+      {std::move(time), ms_per_pixel * pixels, pixels, is_full, tile.begin.y == 0, tile.end.y == size.y});
   // A picture in full appears as it grows
-  if (pass.coarseness == 1 && view.display && view.display->size() == size)
+  if (is_full && view.display && view.display->size() == size)
     presenter_.present(*pass.target, *view.display, glm::vec3(pass.request.scene.rendering.background),
                        tile.begin.y, tile.end.y);
   pass.next_row = tile.end.y;
   last_view_ = std::size_t(&view - views_.data());
   if (pass.next_row == size.y) finish_pass(view);
+  glFlush();  // the device begins
 }
 
 void ViewRenderer::finish_pass(View& view) {
@@ -166,7 +189,6 @@ void ViewRenderer::finish_pass(View& view) {
                      size.y);
   view.shown_version = pass.version;
   view.shown_coarseness = pass.coarseness;
-  if (pass.coarseness == 1) view.frame_ms = pass.ms;
 }
 
 void ViewRenderer::count_costs(View& view) {

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <chrono>
+#include <deque>
 #include <memory>
 #include <optional>
 
 #include "render/gl/display_texture.h"
+#include "render/gl/timer.h"
 #include "render/renderer.h"
 #include "ui/studio.h"
 
@@ -21,13 +23,16 @@ struct ViewRequest {
 
 /// Draws the views of the studio a slice at a time, so that the window stays live: at first coarse, then in
 /// full. A coarse picture that was begun is finished, so that a view keeps up with a drag; a finer one is
-/// dropped when the request changes. Nothing is drawn again that did not change.
+/// dropped when the request changes. Nothing is drawn again that did not change. Slices are handed to the
+/// device without waiting for them; their times are read later, and only a few are ahead of it.
 class ViewRenderer {
  public:
-  explicit ViewRenderer(std::filesystem::path shader_folder);
+  /// As Renderer.
+  explicit ViewRenderer(std::filesystem::path shader_folder = {}, std::filesystem::path program_folder = {});
 
-  /// Works for about `budget_ms`. A view that cannot be drawn keeps its last picture; error() says why.
-  /// `interactive`: begin with coarse pictures, since more changes are to come.
+  /// Works for about `budget_ms`, or hands the device as much to do. A view that cannot be drawn keeps its
+  /// last picture; error() says why. `interactive`: begin with coarse pictures, since more changes are to
+  /// come.
   void work(const std::array<ViewRequest, view_count>& requests, double budget_ms, bool interactive);
   /// Why a view cannot be drawn as it is now requested; empty where all can.
   std::string error() const;
@@ -50,8 +55,14 @@ class ViewRenderer {
     std::uint64_t version = 0;
     int coarseness = 1;
     int next_row = 0;
-    double ms = 0;
     std::unique_ptr<gl::RenderTarget> target;
+  };
+  /// Rows of a pass that the device was asked for.
+  struct Slice {
+    gl::QueryHandle time;
+    double expected_ms = 0, pixels = 0;
+    bool is_full = false;                    ///< of a picture in full
+    bool is_first = false, is_last = false;  ///< of its pass
   };
   struct View {
     ViewRequest wanted;
@@ -60,14 +71,17 @@ class ViewRenderer {
     std::uint64_t wanted_version = 0, shown_version = 0;
     int shown_coarseness = 0;  ///< 0: nothing is shown
     std::optional<Pass> pass;
+    std::deque<Slice> queued;  ///< what the device may not be through with
     std::unique_ptr<gl::DisplayTexture> display;
     double ms_per_pixel = 1e-3, coarse_ms_per_pixel = 1e-3;  ///< a first guess; measured from then on
-    double frame_ms = 0;
+    double frame_ms = 0, pass_ms = 0;  ///< of the last picture in full; of what is known of a pass
     PictureNeed need;
     RenderCounts counts;
     bool is_counted = false;
   };
 
+  void take_times();
+  double queued_ms() const;
   View* next_view();
   void begin_pass(View& view, bool interactive);
   void draw_slice(View& view, double slice_ms);

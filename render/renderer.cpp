@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include "render/gl/errors.h"
 #include "render/resources/classification.h"
 #include "render/resources/volume_texture.h"
 
@@ -20,16 +21,18 @@ bool is_drawn_by_vdls(const Scene& scene) {
 
 }  // namespace
 
-Renderer::Renderer(std::filesystem::path shader_folder)
-    : resources_(std::make_shared<Resources>(std::move(shader_folder))),
+Renderer::Renderer(std::filesystem::path shader_folder, std::filesystem::path program_folder)
+    : resources_(std::make_shared<Resources>(std::move(shader_folder), std::move(program_folder))),
       raycaster_(resources_),
       vdls_(resources_) {}
 
 void Renderer::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
+  gl::forget_errors();
   if (is_drawn_by_vdls(scene))
     vdls_.draw(scene, camera, target, tile);
   else
     raycaster_.draw(scene, camera, target, tile);
+  gl::require_no_error("drawing", target.size());
 }
 
 void Renderer::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {

@@ -21,8 +21,9 @@ inline Rendering in_mode(Rendering rendering, Mode mode) {
 /// current throughout.
 class Renderer {
  public:
-  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself.
-  explicit Renderer(std::filesystem::path shader_folder = {});
+  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself. Linked programs
+  /// are kept in `program_folder` for the next start, unless it is empty.
+  explicit Renderer(std::filesystem::path shader_folder = {}, std::filesystem::path program_folder = {});
 
   /// As Raycaster::draw and Vdls::draw.
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile);

@@ -3,14 +3,11 @@
 #include <fmt/core.h>
 
 #include "presets/error.h"
-#include "render/gl/shader_source.h"
 
 namespace crest::gl {
 namespace {
 
-ShaderHandle compile(GLenum stage, std::string_view name, const std::vector<std::string>& defines,
-                     const std::filesystem::path& folder) {
-  const ShaderSource source = load_shader(name, defines, folder);
+ShaderHandle compile(GLenum stage, const ShaderSource& source) {
   ShaderHandle shader(glCreateShader(stage));
   const char* text = source.text.c_str();
   glShaderSource(shader.id(), 1, &text, nullptr);
@@ -28,22 +25,32 @@ ShaderHandle compile(GLenum stage, std::string_view name, const std::vector<std:
 
 }  // namespace
 
-ProgramHandle build_program(std::string_view vertex, std::string_view fragment,
-                            const std::vector<std::string>& defines, const std::filesystem::path& folder) {
-  const ShaderHandle vertex_shader = compile(GL_VERTEX_SHADER, vertex, {}, folder);
-  const ShaderHandle fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, defines, folder);
+ProgramSource load_program(std::string_view vertex, std::string_view fragment,
+                           const std::vector<std::string>& defines, const std::filesystem::path& folder) {
+  return {load_shader(vertex, {}, folder), load_shader(fragment, defines, folder)};
+}
+
+ProgramHandle build_program(const ProgramSource& source) {
+  const ShaderHandle vertex = compile(GL_VERTEX_SHADER, source.vertex);
+  const ShaderHandle fragment = compile(GL_FRAGMENT_SHADER, source.fragment);
   ProgramHandle program(glCreateProgram());
-  glAttachShader(program.id(), vertex_shader.id());
-  glAttachShader(program.id(), fragment_shader.id());
+  glProgramParameteri(program.id(), GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
+  glAttachShader(program.id(), vertex.id());
+  glAttachShader(program.id(), fragment.id());
   glLinkProgram(program.id());
   GLint linked = 0;
   glGetProgramiv(program.id(), GL_LINK_STATUS, &linked);
   if (!linked) {
     char log[1024] = "";
     glGetProgramInfoLog(program.id(), sizeof log, nullptr, log);
-    throw Error(fmt::format("shader program {} does not link: {}", fragment, log));
+    throw Error(fmt::format("shader program {} does not link: {}", source.fragment.files.front(), log));
   }
   return program;
+}
+
+ProgramHandle build_program(std::string_view vertex, std::string_view fragment,
+                            const std::vector<std::string>& defines, const std::filesystem::path& folder) {
+  return build_program(load_program(vertex, fragment, defines, folder));
 }
 
 ProgramHandle build_fullscreen_program(std::string_view fragment, const std::vector<std::string>& defines,

@@ -2,6 +2,7 @@
 
 #include "presets/error.h"
 #include "render/gl/program.h"
+#include "render/gl/program_files.h"
 
 namespace crest::gl {
 
@@ -10,7 +11,7 @@ GLuint ProgramCache::program(std::string_view vertex, std::string_view fragment,
   Variant& variant = variants_[{std::string(fragment), defines}];
   if (!variant.current) {
     try {
-      variant.program = build_program(vertex, fragment, defines, folder_);
+      variant.program = read_or_build(vertex, fragment, defines);
     } catch (const Error& error) {
       if (!variant.program) throw;
       error_ = error.what();
@@ -18,6 +19,17 @@ GLuint ProgramCache::program(std::string_view vertex, std::string_view fragment,
     variant.current = true;
   }
   return variant.program.id();
+}
+
+ProgramHandle ProgramCache::read_or_build(std::string_view vertex, std::string_view fragment,
+                                          const std::vector<std::string>& defines) {
+  const ProgramSource source = load_program(vertex, fragment, defines, folder_);
+  const std::string text = source.vertex.text + source.fragment.text;
+  if (ProgramHandle program = read_program(binary_folder_, text)) return program;
+  ProgramHandle program = build_program(source);
+  ++compiled_;
+  write_program(binary_folder_, text, program.id());
+  return program;
 }
 
 void ProgramCache::reload() {

@@ -14,8 +14,10 @@ namespace crest::gl {
 /// The variants of an engine's shaders, each compiled when it is first needed.
 class ProgramCache {
  public:
-  /// Shaders are read from `folder`, or, when it is empty, from the program itself.
-  explicit ProgramCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// Shaders are read from `folder`, or, when it is empty, from the program itself. Linked programs are kept
+  /// in `binary_folder` for the next start, unless it is empty (program_files.h).
+  explicit ProgramCache(std::filesystem::path folder, std::filesystem::path binary_folder = {})
+      : folder_(std::move(folder)), binary_folder_(std::move(binary_folder)) {}
 
   /// Throws Error for a program that cannot be built and has no last good one.
   GLuint program(std::string_view vertex, std::string_view fragment, const std::vector<std::string>& defines);
@@ -25,12 +27,19 @@ class ProgramCache {
   void reload();
   const std::string& error() const { return error_; }
 
+  /// How many programs were compiled, and not read from a file.
+  int compiled() const { return compiled_; }
+
  private:
   struct Variant {
     ProgramHandle program;
     bool current = false;  ///< false after reload, until it was built again
   };
-  std::filesystem::path folder_;
+  ProgramHandle read_or_build(std::string_view vertex, std::string_view fragment,
+                              const std::vector<std::string>& defines);
+
+  std::filesystem::path folder_, binary_folder_;
+  int compiled_ = 0;
   std::map<std::pair<std::string, std::vector<std::string>>, Variant> variants_;
   std::string error_;
 };

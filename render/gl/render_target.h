@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <glm/vec2.hpp>
 
 #include "render/files/image.h"
@@ -9,6 +10,9 @@ namespace crest::gl {
 
 /// Throws Error when a picture's size is not in 1..16384.
 void require_size(glm::ivec2 size);
+
+/// A picture is read back in parts of at most so many bytes: GL counts them in 31 bits.
+inline constexpr std::size_t largest_read = std::size_t(256) << 20;
 
 /// What is drawn into: premultiplied RGBA in 32-bit float, row 0 at the top; with `counts`, also four
 /// counters a pixel, as unsigned integers.
@@ -23,8 +27,9 @@ class RenderTarget {
   GLuint color_texture() const { return color_.id(); }
   GLuint counts_texture() const { return counts_.id(); }  ///< 0 without counts
 
-  Image read_color() const;
-  std::vector<glm::uvec4> read_counts() const;
+  /// Both throw Error when the driver fails.
+  Image read_color(std::size_t part_bytes = largest_read) const;
+  std::vector<glm::uvec4> read_counts(std::size_t part_bytes = largest_read) const;
 
  private:
   glm::ivec2 size_;

@@ -21,7 +21,8 @@ class Raycaster {
  public:
   /// With all that it makes kept in `resources`.
   explicit Raycaster(std::shared_ptr<Resources> resources);
-  /// With resources of its own.
+  /// With resources of its own. Shaders are read from `shader_folder`, or, when it is empty, from the program
+  /// itself.
   explicit Raycaster(std::filesystem::path shader_folder = {});
 
   /// Draws a tile of the picture that `camera` sees. With a target that has counts, they are counted. Throws

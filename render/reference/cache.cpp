@@ -3,15 +3,14 @@
 #include <fmt/core.h>
 #include <xxhash.h>
 
-#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "presets/atomic_file.h"
 #include "presets/names.h"
 #include "presets/preset_file.h"
+#include "render/files/folder_cache.h"
 
 namespace crest {
 namespace {
@@ -59,18 +58,16 @@ void visit_arrays(SomeReference& reference, const Visit& visit) {
   visit(std::span(reference.grazing));
 }
 
-/// The key, the arrays as this machine has numbers in memory, and a hash of all before it.
+/// The key, and the arrays as this machine has numbers in memory.
 std::string file_content(const std::string& key, const Reference& reference) {
   std::string content = key;
   visit_arrays(reference, [&](auto values) {
     content.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
   });
-  const std::uint64_t hash = hash_of(content.data(), content.size());
-  content.append(reinterpret_cast<const char*>(&hash), sizeof hash);
   return content;
 }
 
-/// Nothing where the content is not whole, or of another key.
+/// Nothing where the content is of another key.
 std::optional<Reference> parse_content(const std::string& content, const std::string& key, glm::ivec2 size) {
   const std::size_t count = std::size_t(size.x) * std::size_t(size.y);
   Reference reference{.size = size,
@@ -79,66 +76,13 @@ std::optional<Reference> parse_content(const std::string& content, const std::st
                       .grazing = std::vector<std::uint8_t>(count)};
   std::size_t end = key.size();
   visit_arrays(reference, [&](auto values) { end += values.size_bytes(); });
-  std::uint64_t hash = 0;
-  if (content.size() != end + sizeof hash || !content.starts_with(key)) return std::nullopt;
-  std::memcpy(&hash, content.data() + end, sizeof hash);
-  if (hash != hash_of(content.data(), end)) return std::nullopt;
+  if (content.size() != end || !content.starts_with(key)) return std::nullopt;
   const char* from = content.data() + key.size();
   visit_arrays(reference, [&](auto values) {
     std::memcpy(values.data(), from, values.size_bytes());
     from += values.size_bytes();
   });
   return reference;
-}
-
-std::optional<Reference> read_cached(const fs::path& file, const std::string& key, glm::ivec2 size) {
-  std::error_code fault;
-  const std::uintmax_t bytes = fs::file_size(file, fault);
-  if (fault) return std::nullopt;
-  try {
-    auto reference = parse_content(read_file(file, bytes), key, size);
-    if (reference) fs::last_write_time(file, fs::file_time_type::clock::now(), fault);  // it was used
-    return reference;
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-}
-
-/// Takes away the files that were used longest ago, until `room` bytes are free below the limit.
-void make_room(const fs::path& folder, std::uintmax_t limit_bytes, std::uintmax_t room) {
-  struct File {
-    fs::file_time_type used;
-    std::uintmax_t bytes;
-    fs::path path;
-  };
-  std::vector<File> files;
-  std::uintmax_t total = room;
-  std::error_code fault;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() != extension || !entry.is_regular_file(fault)) continue;
-    files.push_back({entry.last_write_time(fault), entry.file_size(fault), entry.path()});
-    if (fault)
-      files.pop_back();  // another program took it away
-    else
-      total += files.back().bytes;
-  }
-  std::ranges::sort(files, {}, &File::used);
-  for (const File& file : files) {
-    if (total <= limit_bytes) return;
-    fs::remove(file.path, fault);
-    total -= file.bytes;
-  }
-}
-
-void write_cached(const fs::path& file, std::uintmax_t limit_bytes, const std::string& content) {
-  if (content.size() > limit_bytes) return;
-  try {
-    fs::create_directories(file.parent_path());
-    make_room(file.parent_path(), limit_bytes, content.size());
-    write_file_atomically(file, content);
-  } catch (const std::exception&) {
-    // It is rendered again next time.
-  }
 }
 
 }  // namespace
@@ -149,9 +93,10 @@ CachedReference render_reference_cached(const fs::path& folder, std::uintmax_t l
   if (folder.empty()) return {render_reference(scene, camera, size, answer, tolerance, progress), false};
   const std::string key = key_of(scene, camera, size, answer, tolerance);
   const fs::path file = file_of(folder, key);
-  if (auto cached = read_cached(file, key, size)) return {std::move(*cached), true};
+  if (const auto content = read_cached(file))
+    if (auto cached = parse_content(*content, key, size)) return {std::move(*cached), true};
   CachedReference rendered{render_reference(scene, camera, size, answer, tolerance, progress), false};
-  write_cached(file, limit_bytes, file_content(key, rendered.reference));
+  write_cached(file, file_content(key, rendered.reference), limit_bytes);
   return rendered;
 }
 

@@ -15,9 +15,11 @@ inline constexpr std::size_t held_bytes = std::size_t(1) << 30;
 /// a TF on the way there. The other files of this folder say what there is, and what each depends on. The
 /// context must be current whenever it is used, and when it dies.
 struct Resources {
-  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself.
-  explicit Resources(std::filesystem::path shader_folder = {}, std::size_t limit_bytes = held_bytes)
-      : programs(std::move(shader_folder)), held(limit_bytes) {}
+  /// Shaders are read from `shader_folder`, or, when it is empty, from the program itself. Linked programs
+  /// are kept in `program_folder` for the next start, unless it is empty.
+  explicit Resources(std::filesystem::path shader_folder = {}, std::filesystem::path program_folder = {},
+                     std::size_t limit_bytes = held_bytes)
+      : programs(std::move(shader_folder), std::move(program_folder)), held(limit_bytes) {}
 
   gl::ProgramCache programs;
   KeyedCache held;

@@ -8,9 +8,9 @@
 #include <glm/glm.hpp>
 #include <memory>
 
-#include "app/offscreen_context.h"
 #include "render/raycaster/raycaster.h"
 #include "render/scene/camera.h"
+#include "tests/debug_context.h"
 
 namespace crest::testing {
 
@@ -85,7 +85,7 @@ class RaycasterTest : public ::testing::Test {
 
  private:
   struct Gpu {
-    OffscreenContext context;
+    DebugContext context;
     Raycaster raycaster;
   };
   static inline std::unique_ptr<Gpu> gpu_;

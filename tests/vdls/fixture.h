@@ -53,7 +53,7 @@ class VdlsTest : public ::testing::Test {
 
  private:
   struct Gpu {
-    OffscreenContext context;
+    DebugContext context;
     Renderer renderer;
   };
   static inline std::unique_ptr<Gpu> gpu_;

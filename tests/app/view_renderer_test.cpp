@@ -1,0 +1,68 @@
+#include "app/view_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include "app/offscreen_context.h"
+#include "presets/preset_file.h"
+#include "render/scene/camera.h"
+#include "render/volume/builtin.h"
+
+namespace crest {
+namespace {
+
+class Views : public ::testing::Test {
+ protected:
+  Views() {
+    const auto volume = std::make_shared<const Volume>(make_builtin("gyroid?n=24"));
+    for (std::size_t i = 0; i < view_count; ++i) {
+      requests[i] = {
+          make_scene(volume, load_preset("dirac-shell")), whole_volume_camera(volume->grid), {64, 48}};
+      requests[i].scene.rendering.mode = view_modes[i];
+    }
+  }
+  /// Works until nothing is left to do; how often that took.
+  int finish(double budget_ms, bool interactive) {
+    for (int calls = 1; calls < 100000; ++calls) {
+      views.work(requests, budget_ms, interactive);
+      if (!views.is_busy()) return calls;
+    }
+    return -1;
+  }
+  void expect_all_done() {
+    EXPECT_EQ(views.error(), "");
+    EXPECT_EQ(views.shown_versions(), views.wanted_versions());
+    for (int i = 0; i < view_count; ++i) {
+      const ViewPicture picture = views.picture(i);
+      EXPECT_EQ(picture.coarseness, 1);
+      EXPECT_EQ(picture.progress, 1);
+      EXPECT_GT(picture.frame_ms, 0) << "the device's times came in";
+      EXPECT_GT(picture.samples_per_ray, 0);
+    }
+  }
+
+  OffscreenContext context;
+  ViewRenderer views;
+  std::array<ViewRequest, view_count> requests;
+};
+
+TEST_F(Views, AreFinishedHoweverSmallTheBudget) {
+  EXPECT_GT(finish(1e-3, true), view_count) << "a slice of a view at a time";
+  expect_all_done();
+  for (ViewRequest& request : requests) request.camera.fov_y_degrees += 1;
+  EXPECT_GT(finish(1e9, false), 0);
+  expect_all_done();
+}
+
+// What cannot be drawn leaves nothing behind that keeps the others from being drawn and timed.
+TEST_F(Views, AViewThatCannotBeDrawnDoesNotStopTheOthers) {
+  requests[0].camera.target = requests[0].camera.eye;  // no view
+  EXPECT_GT(finish(5, false), 0);
+  EXPECT_NE(views.error(), "");
+  for (int i = 1; i < view_count; ++i) EXPECT_GT(views.picture(i).frame_ms, 0);
+  requests[0] = requests[1];
+  EXPECT_GT(finish(5, false), 0);
+  expect_all_done();
+}
+
+}  // namespace
+}  // namespace crest
