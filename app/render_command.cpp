@@ -6,6 +6,7 @@
 #include "app/picture.h"
 #include "app/scene_options.h"
 #include "presets/json.h"
+#include "render/camera.h"
 #include "render/volume/load.h"
 
 namespace crest {
@@ -39,11 +40,11 @@ void render_exactly(const Scene& scene, const Camera& camera, const PictureOptio
 }
 
 void render_picture(const RenderOptions& options) {
-  options.picture.pixels();  // a wrong size is found before any work
+  const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
-  const Preset preset = options.scene.read_preset(*volume);
+  const Preset preset = options.scene.read_preset(*volume, aspect);
   const auto render = preset.rendering.engine == Engine::reference ? render_exactly : render_on_gpu;
-  render(make_scene(volume, preset), camera_of(preset, *volume), options.picture);
+  render(make_scene(volume, preset), camera_of(preset, volume->grid, aspect), options.picture);
 }
 
 }  // namespace

@@ -45,8 +45,7 @@ struct StudioInputs {
   std::uintptr_t table_texture = 0;  ///< table_picture() of it, as an ImTextureID
   std::array<ViewPicture, view_count> views;
   const AccuracyResults* accuracy = nullptr;  ///< null while nothing was ever measured
-  Camera camera;        ///< in force: the preset's, or the one that shows the whole volume
-  std::string message;  ///< the last news or error, one line
+  std::string message;                        ///< the last news or error, one line
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
   std::string performance;          ///< e.g. frame times, for the status bar

@@ -257,7 +257,7 @@ Need Raycaster::need(const Scene& scene, const Camera& camera, glm::ivec2 size, 
 }
 
 Features Raycaster::features(const Scene& scene, bool statistics) {
-  return need(scene, whole_volume_camera(scene.volume->grid), {1, 1}, statistics).features;
+  return need(scene, whole_volume_camera(scene.volume->grid, 1), {1, 1}, statistics).features;
 }
 
 void Raycaster::State::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
