@@ -23,7 +23,7 @@ struct LabelledPicture {
   Image image;
   std::string label;
   nlohmann::ordered_json statistics;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings, notes;
 };
 
 struct Comparison {
@@ -60,7 +60,7 @@ Comparison compare_on_gpu(const std::vector<Scene>& scenes, const Camera& camera
     std::string label(name_of(rendering.mode));
     if (rendering.engine == Engine::vdls) label += ": vdls";
     pictures.push_back(
-        {std::move(measured[i].image), std::move(label), {}, measured[i].warnings});
+        {std::move(measured[i].image), std::move(label), {}, measured[i].warnings, measured[i].notes});
     if (options.json) pictures.back().statistics = statistics_json(measured[i], renderer, scenes[i]);
   }
   return comparison;
@@ -74,7 +74,7 @@ Comparison compare_exactly(const std::vector<Scene>& scenes, const Camera& camer
     comparison.pictures.push_back(
         {exact[i].reference.image(),
          fmt::format("{}: {}", name_of(scenes[i].rendering.mode), name_of(exact[i].answer)),
-         statistics_json(exact[i], scenes[i]), exact[i].warnings});
+         statistics_json(exact[i], scenes[i]), exact[i].warnings, exact[i].notes});
   return comparison;
 }
 
@@ -93,11 +93,13 @@ void compare_modes(const CompareOptions& options) {
   Comparison comparison = compare(scenes, camera_of(preset, volume->grid, aspect), options.picture);
   write_image(options.picture.output, grid_of(comparison.pictures, preset.rendering.background),
               preset.rendering.background);
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings, notes;
   for (const auto& picture : comparison.pictures) {
     warnings.insert(warnings.end(), picture.warnings.begin(), picture.warnings.end());
+    notes.insert(notes.end(), picture.notes.begin(), picture.notes.end());
   }
   print_warnings(warnings);
+  print_notes(notes);
   if (!options.picture.json) return;
   nlohmann::ordered_json json;
   for (auto& picture : comparison.pictures) json["modes"].push_back(std::move(picture.statistics));

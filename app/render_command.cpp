@@ -29,6 +29,7 @@ void render_on_gpu(const Scene& scene, const Camera& camera, const PictureOption
       measure_pictures(renderer, {scene}, camera, options.pixels(), options.frames, options.json)[0];
   write_image(options.output, picture.image, scene.rendering.background);
   print_warnings(picture.warnings);
+  print_notes(picture.notes);
   if (options.json) print_statistics(statistics_json(picture, renderer, scene), context.renderer());
 }
 
@@ -36,6 +37,7 @@ void render_exactly(const Scene& scene, const Camera& camera, const PictureOptio
   const auto picture = render_exact_pictures({scene}, camera, options.pixels(), options.output)[0];
   write_image(options.output, picture.reference.image(), scene.rendering.background);
   print_warnings(picture.warnings);
+  print_notes(picture.notes);
   if (options.json) print_statistics(statistics_json(picture, scene), exact_renderer);
 }
 

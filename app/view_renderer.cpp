@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "render/measure/timing.h"
+#include "render/notes.h"
 #include "render/raycaster/limits.h"
 
 namespace crest {
@@ -28,7 +29,10 @@ Scene coarse_scene(Scene scene, int coarseness) {
 
 std::vector<std::string> warnings_of(const ViewRequest& request) {
   if (request.size.x <= 0 || !request.scene.volume) return {};
-  return scene_warnings(request.scene, request.camera, request.size);
+  std::vector<std::string> warnings = scene_notes(request.scene);
+  for (std::string& warning : scene_warnings(request.scene, request.camera, request.size))
+    warnings.push_back(std::move(warning));
+  return warnings;
 }
 
 }  // namespace
@@ -47,6 +51,7 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
     if (requests[i] == view.wanted) continue;
     view.wanted = requests[i];
     view.warnings = warnings_of(view.wanted);
+    view.nothing_visible.clear();
     view.error.clear();
     ++view.wanted_version;
     view.is_counted = false;
@@ -166,7 +171,11 @@ void ViewRenderer::finish_pass(View& view) {
                      size.y);
   view.shown_version = pass.version;
   view.shown_coarseness = pass.coarseness;
-  if (pass.coarseness == 1) view.frame_ms = pass.ms;
+  if (pass.coarseness != 1) return;
+  view.frame_ms = pass.ms;
+  const Scene& scene = pass.request.scene;
+  if (!has_visible_pixel(pass.target->read_color(), glm::vec3(scene.rendering.background)))
+    view.nothing_visible = why_nothing_is_visible(scene, pass.request.camera, size);
 }
 
 void ViewRenderer::count_costs(View& view) {
@@ -180,6 +189,7 @@ ViewPicture ViewRenderer::picture(int index) const {
   ViewPicture picture;
   picture.need = view.need;
   picture.warnings = view.warnings;
+  if (!view.nothing_visible.empty()) picture.warnings.push_back(view.nothing_visible);
   if (!view.display) return picture;
   const bool done = view.shown_coarseness == 1 && view.shown_version == view.wanted_version;
   picture.texture = view.display->texture();

@@ -55,7 +55,8 @@ class ViewRenderer {
   };
   struct View {
     ViewRequest wanted;
-    std::vector<std::string> warnings;  ///< of `wanted`
+    std::vector<std::string> warnings;  ///< of `wanted`, with the notes on it
+    std::string nothing_visible;        ///< why, where the picture in full shows nothing
     std::string error;                  ///< why `wanted` cannot be drawn
     std::uint64_t wanted_version = 0, shown_version = 0;
     int shown_coarseness = 0;  ///< 0: nothing is shown

@@ -32,7 +32,7 @@ struct ViewPicture {
   double frame_ms = 0;         ///< of the last full-resolution picture; 0 while there is none
   double samples_per_ray = 0, dvr_samples_per_ray = 0;  ///< 0 while not counted
   PictureNeed need;                                     ///< at full resolution; empty until it is begun
-  std::vector<std::string> warnings;  ///< what it may be off by, in sentences; empty for ordinary scenes
+  std::vector<std::string> warnings;  ///< what it may be off by, and why it shows nothing, in sentences
 };
 
 /// What the program tells the panels: results, read only.
