@@ -13,6 +13,7 @@
 #include "presets/json.h"
 #include "presets/names.h"
 #include "render/files/load.h"
+#include "render/scene/camera.h"
 #include "ui/studio.h"
 
 namespace crest {
@@ -23,7 +24,7 @@ struct LabelledPicture {
   Image image;
   std::string label;
   nlohmann::ordered_json statistics;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings, notes;
 };
 
 struct Comparison {
@@ -59,7 +60,8 @@ Comparison compare_on_gpu(const std::vector<Scene>& scenes, const Camera& camera
     const Rendering& rendering = scenes[i].rendering;
     std::string label(name_of(rendering.mode));
     if (rendering.engine == Engine::vdls) label += ": vdls";
-    pictures.push_back({std::move(measured[i].image), std::move(label), {}, measured[i].warnings});
+    pictures.push_back(
+        {std::move(measured[i].image), std::move(label), {}, measured[i].warnings, measured[i].notes});
     if (options.json) pictures.back().statistics = statistics_json(measured[i], renderer, scenes[i]);
   }
   return comparison;
@@ -73,29 +75,32 @@ Comparison compare_exactly(const std::vector<Scene>& scenes, const Camera& camer
     comparison.pictures.push_back(
         {exact[i].reference.image(),
          fmt::format("{}: {}", name_of(scenes[i].rendering.mode), name_of(exact[i].answer)),
-         statistics_json(exact[i], scenes[i]), exact[i].warnings});
+         statistics_json(exact[i], scenes[i]), exact[i].warnings, exact[i].notes});
   return comparison;
 }
 
 }  // namespace
 
 void compare_modes(const CompareOptions& options) {
-  options.picture.pixels();  // a wrong size is found before any work
+  const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
-  const Preset preset = options.scene.read_preset(*volume);
+  const Preset preset = options.scene.read_preset(*volume, aspect);
   std::vector<Scene> scenes;
   for (const Mode mode : view_modes) {
     scenes.push_back(make_scene(volume, preset));
     scenes.back().rendering = in_mode(scenes.back().rendering, mode);
   }
   const auto compare = preset.rendering.engine == Engine::reference ? compare_exactly : compare_on_gpu;
-  Comparison comparison = compare(scenes, camera_of(preset, *volume), options.picture);
+  Comparison comparison = compare(scenes, camera_of(preset, volume->grid, aspect), options.picture);
   write_image(options.picture.output, grid_of(comparison.pictures, preset.rendering.background),
               preset.rendering.background);
-  std::vector<std::string> warnings;
-  for (const auto& picture : comparison.pictures)
+  std::vector<std::string> warnings, notes;
+  for (const auto& picture : comparison.pictures) {
     warnings.insert(warnings.end(), picture.warnings.begin(), picture.warnings.end());
+    notes.insert(notes.end(), picture.notes.begin(), picture.notes.end());
+  }
   print_warnings(warnings);
+  print_notes(notes);
   if (!options.picture.json) return;
   nlohmann::ordered_json json;
   for (auto& picture : comparison.pictures) json["modes"].push_back(std::move(picture.statistics));

@@ -13,6 +13,7 @@
 #include "presets/json.h"
 #include "presets/names.h"
 #include "render/classify/classification.h"
+#include "render/notes.h"
 #include "render/scene/limits.h"
 
 namespace crest {
@@ -57,8 +58,9 @@ std::vector<ExactPicture> render_exact_pictures(const std::vector<Scene>& scenes
       auto [reference, from_cache] = render_reference_cached(
           cache_folder(), default_cache_bytes, scene, camera, size, answer, default_tolerance, progress);
       const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
-      pictures.push_back(
-          {answer, std::move(reference), taken.count(), from_cache, volume_warnings(*scene.volume)});
+      auto notes = picture_notes(scene, camera, reference.image());
+      pictures.push_back({answer, std::move(reference), taken.count(), from_cache,
+                          volume_warnings(*scene.volume), std::move(notes)});
     } catch (const Cancelled&) {
       throw Error(fmt::format("stopped; {} was not written", output));
     }
@@ -81,6 +83,7 @@ nlohmann::ordered_json statistics_json(const ExactPicture& picture, const Scene&
   json["grazing_share"] = double(std::ranges::count(exact.grazing, 1)) / pixels;
   json["peaks"] = peaks_json(classify(scene.tf, surface_range(scene)).surfaces);
   for (const auto& [setting, why] : without_part) json["left_out"][setting] = why;
+  json["notes"] = picture.notes;
   json["warnings"] = picture.warnings;
   return json;
 }

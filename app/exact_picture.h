@@ -17,6 +17,7 @@ struct ExactPicture {
   double ms = 0;  ///< in this run: of rendering it, or of reading it from the cache
   bool from_cache = false;
   std::vector<std::string> warnings;  ///< volume_warnings()
+  std::vector<std::string> notes;     ///< picture_notes()
 };
 
 /// The exact answer of each scene's mode (the first of answers_of), with a progress bar. They are kept in the

@@ -41,6 +41,12 @@ void list_methods() {
   }
 }
 
+void list_graphics_devices() {
+  const std::vector<std::string> devices = list_devices();
+  if (devices.empty()) fmt::print("none\n");
+  for (int i = 0; const auto& device : devices) fmt::print("{} {}\n", i++, device);
+}
+
 void list_presets() {
   for (const LibraryPreset& preset : library())
     fmt::print("{:<20} {}\n", preset.name, parse_preset(preset.text, preset.name).notes);
@@ -61,8 +67,7 @@ void add_list_command(Options app, Action& chosen) {
       if (*what == "formats") list_formats();
       if (*what == "methods") list_methods();
       if (*what == "presets") list_presets();
-      if (*what == "devices")
-        for (int i = 0; const auto& device : list_devices()) fmt::print("{} {}\n", i++, device);
+      if (*what == "devices") list_graphics_devices();
     };
   });
 }

@@ -1,5 +1,6 @@
 #include "app/offscreen_context.h"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <fmt/core.h>
@@ -18,11 +19,21 @@ struct Device {
   bool is_software;
 };
 
+/// Whether EGL itself has an extension. libepoxy ends the program where there is no libEGL, or where a
+/// function is called that nobody provides: each call must be behind this question.
+bool has_extension(const char* name) {
+  static const bool has_egl = dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL) != nullptr;
+  return has_egl && epoxy_has_egl_extension(EGL_NO_DISPLAY, name);
+}
+
+EGLDisplay platform_display(EGLenum platform, void* native) {
+  if (!has_extension("EGL_EXT_platform_base")) return EGL_NO_DISPLAY;
+  return eglGetPlatformDisplayEXT(platform, native, nullptr);
+}
+
 std::vector<Device> find_devices() {
   std::vector<Device> devices;
-  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") &&
-      !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_base"))
-    return devices;
+  if (!has_extension("EGL_EXT_device_enumeration") && !has_extension("EGL_EXT_device_base")) return devices;
   EGLint count = 0;
   if (!eglQueryDevicesEXT(0, nullptr, &count) || count <= 0) return devices;
   std::vector<EGLDeviceEXT> found{std::size_t(count)};
@@ -70,11 +81,11 @@ OffscreenContext::OffscreenContext(int device, bool debug) {
                             devices.size()));
   for (int i = 0; i < int(devices.size()) && !context_; ++i) {
     if (device >= 0 && i != device) continue;
-    display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[std::size_t(i)].device, nullptr);
+    display_ = platform_display(EGL_PLATFORM_DEVICE_EXT, devices[std::size_t(i)].device);
     context_ = make_current_context(display_, debug);
   }
   if (!context_ && device < 0) {
-    display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    display_ = platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
     context_ = make_current_context(display_, debug);
   }
   if (!context_)

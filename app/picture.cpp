@@ -8,6 +8,7 @@
 #include "presets/names.h"
 #include "render/measure/tiles.h"
 #include "render/measure/timing.h"
+#include "render/notes.h"
 #include "render/scene/limits.h"
 
 namespace crest {
@@ -27,6 +28,7 @@ std::vector<MeasuredPicture> measure_pictures(Renderer& renderer, const std::vec
     pictures[i].image = target.read_color();
     pictures[i].need = renderer.need(scenes[i], camera, size);
     pictures[i].warnings = scene_warnings(scenes[i], camera, size);
+    pictures[i].notes = picture_notes(scenes[i], camera, pictures[i].image);
   }
   for (int frame = 1; frame < frames; ++frame)
     for (std::size_t i = 0; i < scenes.size(); ++i) pictures[i].frame_ms.push_back(draw(i));
@@ -40,11 +42,18 @@ std::vector<MeasuredPicture> measure_pictures(Renderer& renderer, const std::vec
   return pictures;
 }
 
-void print_warnings(const std::vector<std::string>& warnings) {
-  for (auto warning = warnings.begin(); warning != warnings.end(); ++warning)
-    if (std::find(warnings.begin(), warning, *warning) == warning)
-      fmt::print(stderr, "crest: warning: {}\n", *warning);
+namespace {
+
+void print_each_once(const char* kind, const std::vector<std::string>& sentences) {
+  for (auto sentence = sentences.begin(); sentence != sentences.end(); ++sentence)
+    if (std::find(sentences.begin(), sentence, *sentence) == sentence)
+      fmt::print(stderr, "crest: {}: {}\n", kind, *sentence);
 }
+
+}  // namespace
+
+void print_warnings(const std::vector<std::string>& warnings) { print_each_once("warning", warnings); }
+void print_notes(const std::vector<std::string>& notes) { print_each_once("note", notes); }
 
 nlohmann::ordered_json peaks_json(const std::vector<Peak>& surfaces) {
   auto json = nlohmann::ordered_json::array();
@@ -88,6 +97,7 @@ nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Renderer&
   json["hit_rays"] = counts.hit_pixels;
   json["peaks"] = peaks_json(classification.surfaces);
   add_need(json, picture.need);
+  for (const std::string& note : picture.notes) json["notes"].push_back(note);
   json["warnings"] = picture.warnings;
   return json;
 }

@@ -16,6 +16,7 @@ struct MeasuredPicture {
   RenderCounts counts;
   PictureNeed need;                   ///< what it was made from
   std::vector<std::string> warnings;  ///< scene_warnings()
+  std::vector<std::string> notes;     ///< picture_notes()
 };
 
 /// Renders each scene `frames` times, turn by turn, so that their times can be compared.
@@ -30,6 +31,7 @@ nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Renderer&
 
 /// Tells them on stderr, each once: when the work is done, so that an error stays a single line.
 void print_warnings(const std::vector<std::string>& warnings);
+void print_notes(const std::vector<std::string>& notes);
 
 /// Surfaces as statistics list them.
 nlohmann::ordered_json peaks_json(const std::vector<Peak>& surfaces);

@@ -8,6 +8,7 @@
 #include "app/scene_options.h"
 #include "presets/json.h"
 #include "render/files/load.h"
+#include "render/scene/camera.h"
 
 namespace crest {
 namespace {
@@ -29,6 +30,7 @@ void render_on_gpu(const Scene& scene, const Camera& camera, const PictureOption
       measure_pictures(renderer, {scene}, camera, options.pixels(), options.frames, options.json)[0];
   write_image(options.output, picture.image, scene.rendering.background);
   print_warnings(picture.warnings);
+  print_notes(picture.notes);
   if (options.json) print_statistics(statistics_json(picture, renderer, scene), context.renderer());
 }
 
@@ -36,15 +38,16 @@ void render_exactly(const Scene& scene, const Camera& camera, const PictureOptio
   const auto picture = render_exact_pictures({scene}, camera, options.pixels(), options.output)[0];
   write_image(options.output, picture.reference.image(), scene.rendering.background);
   print_warnings(picture.warnings);
+  print_notes(picture.notes);
   if (options.json) print_statistics(statistics_json(picture, scene), exact_renderer);
 }
 
 void render_picture(const RenderOptions& options) {
-  options.picture.pixels();  // a wrong size is found before any work
+  const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
-  const Preset preset = options.scene.read_preset(*volume);
+  const Preset preset = options.scene.read_preset(*volume, aspect);
   const auto render = preset.rendering.engine == Engine::reference ? render_exactly : render_on_gpu;
-  render(make_scene(volume, preset), camera_of(preset, *volume), options.picture);
+  render(make_scene(volume, preset), camera_of(preset, volume->grid, aspect), options.picture);
 }
 
 }  // namespace

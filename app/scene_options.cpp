@@ -58,7 +58,7 @@ bool SceneOptions::has_any() const {
                              is_given);
 }
 
-Preset SceneOptions::read_preset(const Volume& loaded) const {
+Preset SceneOptions::read_preset() const {
   Preset result;
   if (preset.empty())
     result.transfer_function = default_transfer_function();
@@ -74,19 +74,40 @@ Preset SceneOptions::read_preset(const Volume& loaded) const {
   set_if("--step", step, "rendering.step=" + step);
   if (const std::string why_not = why_inconsistent(result.rendering); !why_not.empty())
     throw UsageError("--set", why_not);
+  with_camera(result);  // a wrong one is found before there is a volume
+  return result;
+}
+
+Preset SceneOptions::with_camera(Preset result) const {
+  const auto set_if = [&](const char* option, const std::string& text, const std::string& assignment) {
+    if (!text.empty()) result = with_field(result, option, assignment);
+  };
+  set_if("--eye", eye, triple("camera.eye", eye));
+  set_if("--target", target, triple("camera.target", target));
+  set_if("--up", up, triple("camera.up", up));
+  set_if("--fov", fov, "camera.fov_y_degrees=" + fov);
+  return result;
+}
+
+Preset SceneOptions::for_volume(Preset result, const Volume& loaded, double aspect) const {
   if (!eye.empty() || !target.empty() || !up.empty() || !fov.empty()) {
     const bool is_fitted = !result.camera && eye.empty() && target.empty();
-    if (!result.camera) result.camera = whole_volume_camera(loaded.grid);
-    set_if("--eye", eye, triple("camera.eye", eye));
-    set_if("--target", target, triple("camera.target", target));
-    set_if("--up", up, triple("camera.up", up));
-    set_if("--fov", fov, "camera.fov_y_degrees=" + fov);
-    if (is_fitted) result.camera->eye = whole_volume_camera(loaded.grid, result.camera->fov_y_degrees).eye;
+    result.camera = camera_of(result, loaded.grid, aspect);
+    result = with_camera(std::move(result));
+    if (is_fitted) {
+      const Camera whole = whole_volume_camera(loaded.grid, aspect, result.camera->fov_y_degrees);
+      result.camera->eye = whole.eye;
+      result.camera->target = whole.target;
+    }
   }
   if (fit_range && result.transfer_function.domain == Domain::data)
     result.transfer_function =
         remap_values(result.transfer_function, result.transfer_function.span(), loaded.statistics.range);
   return result;
+}
+
+Preset SceneOptions::read_preset(const Volume& loaded, double aspect) const {
+  return for_volume(read_preset(), loaded, aspect);
 }
 
 void PictureOptions::add_to(Options options) {
@@ -109,10 +130,6 @@ glm::ivec2 pixels_of(const std::string& size) {
   const glm::ivec2 pixels(std::stoi(match[1]), std::stoi(match[2]));
   gl::require_size(pixels);
   return pixels;
-}
-
-Camera camera_of(const Preset& preset, const Volume& volume) {
-  return preset.camera ? *preset.camera : whole_volume_camera(volume.grid);
 }
 
 }  // namespace crest

@@ -21,9 +21,17 @@ struct SceneOptions {
   void add_to(Options options);
   bool has_any() const;  ///< whether anything but the volume was said
 
-  /// The preset with all that was said on the command line for this volume; without --preset, one with the
-  /// default TF. Throws Error.
-  Preset read_preset(const Volume& loaded) const;
+  /// The preset with what was said on the command line and holds for every volume; without --preset, one with
+  /// the default TF. Throws Error.
+  Preset read_preset() const;
+  /// The same with what depends on the volume: --fit-range, and the camera, for pictures of this aspect
+  /// (width by height).
+  Preset for_volume(Preset preset, const Volume& loaded, double aspect) const;
+  /// Both.
+  Preset read_preset(const Volume& loaded, double aspect) const;
+
+ private:
+  Preset with_camera(Preset preset) const;
 };
 
 /// The WIDTHxHEIGHT of --size. Throws UsageError for another text, Error for a picture that is too
@@ -40,8 +48,5 @@ struct PictureOptions {
   /// Throws as pixels_of().
   glm::ivec2 pixels() const { return pixels_of(size); }
 };
-
-/// The preset's camera, or the one that has the whole volume in view.
-Camera camera_of(const Preset& preset, const Volume& volume);
 
 }  // namespace crest

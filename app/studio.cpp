@@ -169,7 +169,6 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.resolved = scene.tf;
   inputs.peaks = classification.peaks;
   inputs.surfaces = classification.surfaces;
-  inputs.camera = camera_of(document_.preset, *loaded_.volume);
   return inputs;
 }
 
@@ -178,7 +177,9 @@ std::array<ViewRequest, view_count> Studio::view_requests(const StudioRequests& 
   if (!loaded_.volume) return wanted;
   const Scene scene = make_scene(loaded_.volume, document_.preset);
   for (std::size_t i = 0; i < view_count; ++i) {
-    wanted[i] = {scene, camera_of(document_.preset, *loaded_.volume), requests.view_pixels[i]};
+    const glm::ivec2 size = requests.view_pixels[i];
+    if (size.x <= 0) continue;
+    wanted[i] = {scene, camera_of(document_.preset, loaded_.volume->grid, aspect_of(size)), size};
     wanted[i].scene.rendering = in_mode(scene.rendering, view_modes[i]);
   }
   return wanted;
@@ -189,8 +190,8 @@ void Studio::update_sweep(const StudioRequests& requests, bool interactive) {
   if (interactive || is_drawing() || is_loading()) sweep_.rest_until(now + quiet);
   const auto view = std::ranges::find_if(requests.view_pixels, [](glm::ivec2 size) { return size.x > 0; });
   if (!loaded_.volume || view == requests.view_pixels.end()) return;
-  sweep_.update({make_scene(loaded_.volume, document_.preset), camera_of(document_.preset, *loaded_.volume),
-                 sweep_size(*view)},
+  sweep_.update({make_scene(loaded_.volume, document_.preset),
+                 camera_of(document_.preset, loaded_.volume->grid, aspect_of(*view)), sweep_size(*view)},
                 now);
 }
 

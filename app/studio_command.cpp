@@ -31,7 +31,7 @@ constexpr int settling_frames = 3;     ///< that Dear ImGui takes to show what a
 Document initial_document(const StudioOptions& options, const Volume* volume) {
   Document document;
   document.volume_source = options.scene.volume;
-  document.preset = options.scene.read_preset(volume ? *volume : Volume{});
+  document.preset = volume ? options.scene.read_preset(*volume, 1) : options.scene.read_preset();
   if (std::filesystem::exists(options.scene.preset)) document.preset_path = options.scene.preset;
   return document;
 }

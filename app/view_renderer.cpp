@@ -4,6 +4,8 @@
 #include <cmath>
 #include <exception>
 
+#include "render/measure/timing.h"
+#include "render/notes.h"
 #include "render/scene/limits.h"
 
 namespace crest {
@@ -29,7 +31,10 @@ Scene coarse_scene(Scene scene, int coarseness) {
 
 std::vector<std::string> warnings_of(const ViewRequest& request) {
   if (request.size.x <= 0 || !request.scene.volume) return {};
-  return scene_warnings(request.scene, request.camera, request.size);
+  std::vector<std::string> warnings = scene_notes(request.scene);
+  for (std::string& warning : scene_warnings(request.scene, request.camera, request.size))
+    warnings.push_back(std::move(warning));
+  return warnings;
 }
 
 }  // namespace
@@ -49,6 +54,7 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
     if (requests[i] == view.wanted) continue;
     view.wanted = requests[i];
     view.warnings = warnings_of(view.wanted);
+    view.nothing_visible.clear();
     view.error.clear();
     ++view.wanted_version;
     view.is_counted = false;
@@ -194,7 +200,19 @@ void ViewRenderer::finish_pass(View& view) {
 void ViewRenderer::count_costs(View& view) {
   gl::RenderTarget target(coarse_size(view.wanted.size, count_coarseness), true);
   view.counts = sum_of(renderer_.draw_counts(view.wanted.scene, view.wanted.camera, target));
+  tell_if_nothing_is_visible(view, target.read_color());
   view.is_counted = true;
+}
+
+// The small picture may miss what is as small as its pixels.
+void ViewRenderer::tell_if_nothing_is_visible(View& view, const Image& small) {
+  const Scene& scene = view.wanted.scene;
+  const glm::vec3 background(scene.rendering.background);
+  if (has_visible_pixel(small, background)) return;
+  gl::RenderTarget full(view.wanted.size, false);
+  renderer_.draw(scene, view.wanted.camera, full);
+  if (!has_visible_pixel(full.read_color(), background))
+    view.nothing_visible = why_nothing_is_visible(scene, view.wanted.camera, view.wanted.size);
 }
 
 ViewPicture ViewRenderer::picture(int index) const {
@@ -202,6 +220,7 @@ ViewPicture ViewRenderer::picture(int index) const {
   ViewPicture picture;
   picture.need = view.need;
   picture.warnings = view.warnings;
+  if (!view.nothing_visible.empty()) picture.warnings.push_back(view.nothing_visible);
   if (!view.display) return picture;
   const bool done = view.shown_coarseness == 1 && view.shown_version == view.wanted_version;
   picture.texture = view.display->texture();

@@ -66,7 +66,8 @@ class ViewRenderer {
   };
   struct View {
     ViewRequest wanted;
-    std::vector<std::string> warnings;  ///< of `wanted`
+    std::vector<std::string> warnings;  ///< of `wanted`, with the notes on it
+    std::string nothing_visible;        ///< why, where the picture in full shows nothing
     std::string error;                  ///< why `wanted` cannot be drawn
     std::uint64_t wanted_version = 0, shown_version = 0;
     int shown_coarseness = 0;  ///< 0: nothing is shown
@@ -87,6 +88,7 @@ class ViewRenderer {
   void draw_slice(View& view, double slice_ms);
   void finish_pass(View& view);
   void count_costs(View& view);
+  void tell_if_nothing_is_visible(View& view, const Image& small);
   void give_up(View& view, std::string why);  ///< what cannot be drawn is not tried again until it changes
 
   Renderer renderer_;

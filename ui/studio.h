@@ -31,7 +31,7 @@ struct ViewPicture {
   double frame_ms = 0;         ///< of the last full-resolution picture; 0 while there is none
   double samples_per_ray = 0, dvr_samples_per_ray = 0;  ///< 0 while not counted
   PictureNeed need;                                     ///< at full resolution; empty until it is begun
-  std::vector<std::string> warnings;  ///< what it may be off by, in sentences; empty for ordinary scenes
+  std::vector<std::string> warnings;  ///< what it may be off by, and why it shows nothing, in sentences
 };
 
 /// What the program tells the panels: results, read only.
@@ -42,8 +42,7 @@ struct StudioInputs {
   std::span<const Peak> surfaces;  ///< those that are shown as surfaces
   std::array<ViewPicture, view_count> views;
   const AccuracyResults* accuracy = nullptr;  ///< null while nothing was ever measured
-  Camera camera;        ///< in force: the preset's, or the one that shows the whole volume
-  std::string message;  ///< the last news or error, one line
+  std::string message;                        ///< the last news or error, one line
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
   std::string performance;          ///< e.g. frame times, for the status bar

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "presets/names.h"
+#include "render/scene/camera.h"
 #include "ui/camera_control.h"
 #include "ui/mode_text.h"
 #include "ui/style.h"
@@ -64,11 +65,10 @@ void caption(int index, StudioState& state, const ViewPicture& view, Engine engi
   tip(explanation_of(mode));
 }
 
-double size_of_box(const Volume* volume) { return volume ? glm::length(volume->grid.box_size()) : 1; }
-
-bool move_camera(Document& document, StudioState& state, const StudioInputs& inputs, float height) {
+/// Moves the camera in force as the mouse says.
+bool move_camera(Document& document, StudioState& state, const Grid& grid, const Camera& before,
+                 float height) {
   const ImGuiIO& io = ImGui::GetIO();
-  const Camera before = document.preset.camera.value_or(inputs.camera);
   Camera camera = before;
   const glm::dvec2 shift(io.MouseDelta.x, io.MouseDelta.y);
   if (ImGui::IsItemActive() && shift != glm::dvec2(0)) {
@@ -78,7 +78,7 @@ bool move_camera(Document& document, StudioState& state, const StudioInputs& inp
       camera = pan(camera, glm::dvec2(shift.x, -shift.y) / double(height));
   }
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
-    const double size = size_of_box(inputs.volume);
+    const double size = glm::length(grid.box_size());
     camera = dolly(camera, std::pow(dolly_per_notch, double(io.MouseWheel)), size * 1e-4, size * 1e3);
     state.camera_moved = ImGui::GetTime();
   }
@@ -87,8 +87,8 @@ bool move_camera(Document& document, StudioState& state, const StudioInputs& inp
   return true;
 }
 
-void picture(const StudioState& state, const StudioInputs& inputs, const ViewPicture& view, ImVec2 low,
-             ImVec2 size) {
+void picture(const StudioState& state, const StudioInputs& inputs, const ViewPicture& view,
+             const Camera& camera, ImVec2 low, ImVec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 high{low.x + size.x, low.y + size.y};
   if (view.texture != 0)
@@ -96,7 +96,7 @@ void picture(const StudioState& state, const StudioInputs& inputs, const ViewPic
   else
     list.AddRectFilled(low, high, palette::plot);
   list.PushClipRect(low, high, true);
-  if (inputs.volume && state.views.outline) draw_outline(list, inputs.camera, inputs.volume->grid, low, size);
+  if (inputs.volume && state.views.outline) draw_outline(list, camera, inputs.volume->grid, low, size);
   if (!inputs.volume) {
     const char* hint = "Volume > Open, or drop a file here";
     const ImVec2 text = ImGui::CalcTextSize(hint);
@@ -129,11 +129,13 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     note_item(state.widgets, fmt::format("view{}", index));
+    Camera camera;
+    if (inputs.volume) camera = camera_of(document.preset, inputs.volume->grid, double(image.x / image.y));
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
       state.views.enlarged = state.views.enlarged == index ? -1 : index;
     else if (inputs.volume)
-      changed = move_camera(document, state, inputs, image.y);
-    picture(state, inputs, inputs.views[i], low, image);
+      changed = move_camera(document, state, inputs.volume->grid, camera, image.y);
+    picture(state, inputs, inputs.views[i], document.preset.camera.value_or(camera), low, image);
   }
   ImGui::EndChild();
   ImGui::PopID();

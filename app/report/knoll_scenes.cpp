@@ -129,7 +129,8 @@ const KnollSceneRow& knoll_scene_row(std::string_view id) {
   return *std::ranges::find(rows, id, &KnollSceneRow::id);
 }
 
-KnollScenes::KnollScenes(std::filesystem::path folder) : folder_(std::move(folder)) {
+KnollScenes::KnollScenes(std::filesystem::path folder, double aspect)
+    : folder_(std::move(folder)), aspect_(aspect) {
   if (!folder_.empty() && !std::filesystem::is_directory(folder_))
     throw Error(fmt::format("{}: is no folder; --data is the folder of the real volumes", folder_.string()));
 }
@@ -153,7 +154,7 @@ KnollScene KnollScenes::make(const KnollSceneRow& row) {
   preset.rendering = with_settings(preset.rendering, row.settings);
   scene.scene = make_scene(volume, preset);
   const BoxView* view = is_real ? row.view_of_file : row.view_of_builtin;
-  scene.camera = view ? camera_in_box(volume->grid, *view) : whole_volume_camera(volume->grid);
+  scene.camera = view ? camera_in_box(volume->grid, *view) : whole_volume_camera(volume->grid, aspect_);
   return scene;
 }
 

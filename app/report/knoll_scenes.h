@@ -31,8 +31,9 @@ const KnollSceneRow& knoll_scene_row(std::string_view id);
 /// Makes scenes, and keeps the volumes.
 class KnollScenes {
  public:
-  /// `folder` of real volumes: empty where there is none. Throws Error where it is no folder.
-  explicit KnollScenes(std::filesystem::path folder);
+  /// `folder` of real volumes: empty where there is none. `aspect` is the pictures'. Throws Error
+  /// where it is no folder.
+  KnollScenes(std::filesystem::path folder, double aspect);
 
   /// Throws Error for a volume that cannot be read.
   KnollScene make(const KnollSceneRow& row);
@@ -41,6 +42,7 @@ class KnollScenes {
   std::shared_ptr<const Volume> load(const std::string& source);
 
   std::filesystem::path folder_;
+  double aspect_;
   std::map<std::string, std::shared_ptr<const Volume>> volumes_;
 };
 

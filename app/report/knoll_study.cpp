@@ -13,6 +13,7 @@
 #include "presets/error.h"
 #include "presets/json.h"
 #include "presets/preset_file.h"
+#include "render/scene/camera.h"
 #include "render/studies/knoll/variants.h"
 
 namespace crest {
@@ -65,7 +66,7 @@ void run_knoll_study(const StudyOptions& options) {
   settings.cache_folder = cache_folder();
   settings.paint_error = error_picture;
   report.size = settings.size;
-  KnollScenes scenes(options.data_folder);
+  KnollScenes scenes(options.data_folder, aspect_of(settings.size));
   const OffscreenContext context(options.device);
   report.renderer = context.renderer();
   const auto begin = steady_clock::now();

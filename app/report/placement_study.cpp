@@ -12,6 +12,7 @@
 #include "presets/json.h"
 #include "presets/names.h"
 #include "render/files/load.h"
+#include "render/scene/camera.h"
 
 namespace crest {
 namespace {
@@ -20,16 +21,17 @@ constexpr glm::ivec2 paper_size{500, 500}, scene_size{256, 256};
 constexpr int timed_rounds = 15;
 
 /// Of VOLUME, if there is one.
-PlacementScene border_scene_of(const SceneOptions& options) {
-  if (options.volume.empty()) return builtin_border_scene();
+PlacementScene border_scene_of(const SceneOptions& options, double aspect) {
+  if (options.volume.empty()) return builtin_border_scene(aspect);
   const auto volume = std::make_shared<const Volume>(load_volume(options.volume));
-  const Preset preset = options.read_preset(*volume);
-  return border_scene(make_scene(volume, preset), camera_of(preset, *volume));
+  const Preset preset = options.read_preset(*volume, aspect);
+  return border_scene(make_scene(volume, preset), camera_of(preset, volume->grid, aspect));
 }
 
 void study_scenes(PlacementReport& report, Raycaster& raycaster, const StudyOptions& options) {
-  const PlacementScene border = border_scene_of(options.scene), clipped = clipped_plume();
   const glm::ivec2 size = options.size.value_or(scene_size);
+  const double aspect = aspect_of(size);
+  const PlacementScene border = border_scene_of(options.scene, aspect), clipped = clipped_plume(aspect);
   constexpr double parts = 5;  // four scenes, and the frame times
   ProgressBar bar;
   const auto add = [&](const PlacementScene& scene, glm::ivec2 pixels) {
@@ -38,7 +40,7 @@ void study_scenes(PlacementReport& report, Raycaster& raycaster, const StudyOpti
   };
   add(extruded_square(), options.size.value_or(paper_size));
   report.distance_from_plane = distance_from_plane(report.volumes.front());
-  for (const PlacementScene& scene : {border, whole_plume(), clipped}) add(scene, size);
+  for (const PlacementScene& scene : {border, whole_plume(aspect), clipped}) add(scene, size);
   report.clip_against_crop = clip_against_crop(raycaster, clipped, size);
   bar.show(4 / parts, "frame times");
   report.timed_scene = border.id;

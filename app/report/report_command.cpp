@@ -17,6 +17,7 @@
 #include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/files/load.h"
+#include "render/scene/camera.h"
 
 namespace crest {
 namespace {
@@ -84,7 +85,7 @@ Report subject_of(const ReportOptions& options) {
   report.settings.budget_seconds = budget_seconds(options.budget);
   report.settings.target = target_error(options.target);
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
-  const Preset preset = options.scene.read_preset(*volume);
+  const Preset preset = options.scene.read_preset(*volume, aspect_of(report.size));
   report.scene = make_scene(volume, preset);
   if (const Illumination illumination = preset.rendering.illumination;
       illumination != Illumination::semi_transparent)
@@ -92,14 +93,14 @@ Report subject_of(const ReportOptions& options) {
         fmt::format("rendering.illumination is {}, which has no exact answer to measure against: "
                     "a report takes --illumination semi_transparent",
                     name_of(illumination)));
-  report.camera = camera_of(preset, *volume);
+  report.camera = camera_of(preset, volume->grid, aspect_of(report.size));
   report.subject.command = options.command;
   report.subject.volume = options.scene.volume;
   report.subject.preset = options.scene.preset;
   report.subject.made_at = utc_now();
   SceneOptions plain = options.scene;  // what a method decides need not be said
   plain.mode = plain.engine = plain.step = "";
-  report.subject.render_command = [plain, written = plain.read_preset(*volume).rendering, size = options.size,
+  report.subject.render_command = [plain, written = plain.read_preset().rendering, size = options.size,
                                    own = report.scene.rendering](const Method& method, double step) {
     return render_command(plain, size, written, measured_rendering(method, step, own));
   };

@@ -47,7 +47,7 @@ struct Lab {
 
 /// The pictures of both engines are kept.
 VdlsReport::Difference picture_pair(VdlsReport& report, Lab& lab, const std::string& id, const Scene& scene) {
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, aspect_of(lab.size));
   const Image raycaster = lab.picture(scene, camera, Engine::raycaster);
   report.pictures.push_back({fmt::format("images/{}-raycaster.png", id), raycaster});
   const auto vdls = [&](bool gradient_volume) {
@@ -66,7 +66,8 @@ VdlsReport::Difference picture_pair(VdlsReport& report, Lab& lab, const std::str
 double bytes_of(Renderer& renderer, Scene scene, glm::ivec2 size, Engine engine) {
   scene.rendering.engine = engine;
   double bytes = 0;
-  for (const GpuData& data : renderer.need(scene, whole_volume_camera(scene.volume->grid), size).gpu_data)
+  for (const GpuData& data :
+       renderer.need(scene, whole_volume_camera(scene.volume->grid, aspect_of(size)), size).gpu_data)
     bytes += double(data.bytes);
   return bytes;
 }
@@ -130,7 +131,7 @@ void study_quadtrees(VdlsReport& report, Lab& lab, const VdlsScene& scene) {
     int leaves, threshold;
   };
   std::vector<VdlsSetup> setups;
-  const Camera camera = whole_volume_camera(scene.scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.scene.volume->grid, aspect_of(lab.size));
   for (const Variant& v : {Variant{"no quadtree", 0, 0},
                            {"64x64", 64, 8},
                            {"32x32", 32, 8},
@@ -221,7 +222,7 @@ void study_filters(VdlsReport& report, Lab& lab, const VdlsScene& engine) {
 void study_quality(VdlsReport& report, Lab& lab) {
   const VdlsScene phantom = phantom_scene();
   report.phantom = phantom.title;
-  const Camera camera = whole_volume_camera(phantom.scene.volume->grid);
+  const Camera camera = whole_volume_camera(phantom.scene.volume->grid, aspect_of(lab.size));
   const Reference exact =
       render_reference(phantom.scene, camera, lab.size, Answer::integral, default_tolerance,
                        [&](double) { return !lab.stop.stop_requested(); });

@@ -50,7 +50,7 @@ Need Raycaster::find_need(const Scene& scene, const Camera& camera, glm::ivec2 s
 }
 
 Features Raycaster::features(const Scene& scene, bool statistics) {
-  return need(scene, whole_volume_camera(scene.volume->grid), {1, 1}, statistics).features;
+  return need(scene, whole_volume_camera(scene.volume->grid, 1), {1, 1}, statistics).features;
 }
 
 void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -14,38 +15,11 @@ namespace {
 
 bool is_finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-}  // namespace
-
-// The nearest eye on its line from which each corner of the box is within the view, with a margin.
-Camera whole_volume_camera(const Grid& grid, double fov_y_degrees) {
-  constexpr double margin = 1.04;
-  const glm::dvec3 half = 0.5 * grid.box_size();
-  Camera camera;
-  camera.target = grid.origin + half;
-  camera.eye = camera.target + glm::dvec3(0.45, -0.8, 0.4);
-  camera.up = {0, 0, 1};
-  camera.fov_y_degrees = fov_y_degrees;
-  const CameraFrame frame = camera_frame(camera);
-  const double slope = std::tan(glm::radians(0.5 * fov_y_degrees));
-  double distance = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 p = half * glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-    const double aside = std::max(std::abs(glm::dot(p, frame.u)), std::abs(glm::dot(p, frame.v)));
-    distance = std::max(distance, margin * aside / slope - glm::dot(p, frame.w));
-  }
-  camera.eye = camera.target - distance * frame.w;
-  return camera;
-}
-
-CameraFrame camera_frame(const Camera& camera) {
-  if (!is_finite(camera.eye) || !is_finite(camera.target) || !is_finite(camera.up))
-    throw Error("the camera's eye, target and up must be finite numbers");
-  const glm::dvec3 view = camera.target - camera.eye;
-  if (!(glm::length(view) > 0)) throw Error("the camera's eye and target are the same point");
+CameraFrame frame_of(glm::dvec3 direction, glm::dvec3 up) {
   CameraFrame frame;
-  frame.w = glm::normalize(view);
-  glm::dvec3 u = glm::cross(frame.w, camera.up);
-  if (!(glm::length(u) > 1e-9 * glm::length(camera.up))) {
+  frame.w = glm::normalize(direction);
+  glm::dvec3 u = glm::cross(frame.w, up);
+  if (!(glm::length(u) > 1e-9 * glm::length(up))) {
     const glm::dvec3 size = glm::abs(frame.w);
     const glm::dvec3 other = size.z <= size.x && size.z <= size.y ? glm::dvec3(0, 0, 1)
                              : size.y <= size.x                   ? glm::dvec3(0, 1, 0)
@@ -55,6 +29,72 @@ CameraFrame camera_frame(const Camera& camera) {
   frame.u = glm::normalize(u);
   frame.v = glm::cross(frame.u, frame.w);
   return frame;
+}
+
+/// Places in a plane through the line of sight: how far aside, and how far along.
+using Corners = std::array<glm::dvec2, 8>;
+
+/// How far an eye has to be before the origin, at the right place beside the line, to see all corners within
+/// `slope` on either side. An eye at (c, -d) sees a corner within it where c is no further than slope * (y +
+/// d) from x: intervals of c, which have a common point where each two of them have one.
+double distance_to_see(const Corners& corners, double slope) {
+  double distance = 0;
+  for (const glm::dvec2 a : corners)
+    for (const glm::dvec2 b : corners) distance = std::max(distance, 0.5 * ((b.x - a.x) / slope - a.y - b.y));
+  return distance;
+}
+
+/// How far aside an eye `distance` before the origin sees the corners reach as far to one side as to the
+/// other: in the middle of the two that need the widest view.
+double middle_from(const Corners& corners, double distance) {
+  double widest = 0, middle = 0;
+  for (const glm::dvec2 a : corners)
+    for (const glm::dvec2 b : corners) {
+      const double at_a = a.y + distance, at_b = b.y + distance;
+      if (const double slope = (b.x - a.x) / (at_a + at_b); slope > widest) {
+        widest = slope;
+        middle = (a.x * at_b + b.x * at_a) / (at_a + at_b);
+      }
+    }
+  return middle;
+}
+
+}  // namespace
+
+Camera whole_volume_camera(const Grid& grid, double aspect, double fov_y_degrees) {
+  constexpr double filled = 0.9, least_gap = 1e-3;
+  Camera camera;
+  camera.up = {0, 0, 1};
+  camera.fov_y_degrees = fov_y_degrees;
+  const CameraFrame frame = frame_of({-0.45, 0.8, -0.4}, camera.up);
+  const glm::dvec3 half = 0.5 * grid.box_size(), middle = grid.origin + half;
+  Corners across, upright;
+  for (unsigned i = 0; i < 8; ++i) {
+    const glm::dvec3 corner = half * glm::dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    const double along = glm::dot(corner, frame.w);
+    across[i] = {glm::dot(corner, frame.u), along};
+    upright[i] = {glm::dot(corner, frame.v), along};
+  }
+  const double slope = filled * half_height(camera);
+  // A view so wide that it holds the box from a corner of it must not begin in that corner
+  const double depth = std::ranges::max(across, {}, &glm::dvec2::y).y;
+  const double distance = std::max({distance_to_see(across, slope * aspect), distance_to_see(upright, slope),
+                                    (1 + 2 * least_gap) * depth});
+  camera.target = middle + middle_from(across, distance) * frame.u + middle_from(upright, distance) * frame.v;
+  camera.eye = camera.target - distance * frame.w;
+  return camera;
+}
+
+Camera camera_of(const Preset& preset, const Grid& grid, double aspect) {
+  return preset.camera ? *preset.camera : whole_volume_camera(grid, aspect);
+}
+
+CameraFrame camera_frame(const Camera& camera) {
+  if (!is_finite(camera.eye) || !is_finite(camera.target) || !is_finite(camera.up))
+    throw Error("the camera's eye, target and up must be finite numbers");
+  const glm::dvec3 view = camera.target - camera.eye;
+  if (!(glm::length(view) > 0)) throw Error("the camera's eye and target are the same point");
+  return frame_of(view, camera.up);
 }
 
 double half_height(const Camera& camera) {

@@ -8,9 +8,17 @@
 
 namespace crest {
 
-/// A camera that has the whole volume in view of a picture at least as wide as high, from an oblique
-/// direction, with z up.
-Camera whole_volume_camera(const Grid& grid, double fov_y_degrees = 30);
+/// A picture's width by its height.
+inline double aspect_of(glm::ivec2 size) { return double(size.x) / double(size.y); }
+
+/// A camera that has the whole volume in view, from an oblique direction, with z up. In a picture of this
+/// aspect (width by height) the box is in the middle, and takes 90 % of the width or of the height, whichever
+/// is the tighter; less in views so wide that all of it is in view from a thousandth of its depth before its
+/// nearest corner. The target is as far away as the box's middle.
+Camera whole_volume_camera(const Grid& grid, double aspect, double fov_y_degrees = 30);
+
+/// The preset's camera, or the one that has the whole volume in view.
+Camera camera_of(const Preset& preset, const Grid& grid, double aspect);
 
 /// A camera's axes: orthonormal, w forward, u right, v up. An `up` along the view is replaced by another
 /// axis.

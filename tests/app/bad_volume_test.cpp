@@ -122,7 +122,9 @@ TEST_F(BadVolume, NothingButNaNIsAnEmptyPicture) {
   const std::vector<float> values(64, std::numeric_limits<float>::quiet_NaN());
   const std::string source = write("n.raw", float_bytes(values)) + "?size=4x4x4&type=float32";
   EXPECT_EQ(json_of({"info", source})["nan"], 64);
-  output_of({"render", source, "--size", "16x16", "-o", path("n.exr")});
+  const Outcome outcome = run({"render", source, "--size", "16x16", "-o", path("n.exr")});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "crest: note: No voxel has a value: all are NaN or infinite.\n");
   for (const glm::vec4& pixel : read_image(path("n.exr")).pixels) ASSERT_EQ(pixel, glm::vec4(0));
 }
 

@@ -138,7 +138,10 @@ TEST_F(Picture, FitRangeSpansTheVolume) {
   const std::string ramp = R"(transfer_function.points=[{"value": 1000, "opacity": 0},
       {"value": 2000, "opacity": 0.9}])";
   const Words scene = {"--set", "transfer_function.domain=data", "--set", ramp};
-  for (const glm::vec4& pixel : image_of(scene).pixels) ASSERT_EQ(pixel.a, 0);
+  const Outcome beside = run(render("beside.exr", scene));
+  EXPECT_EQ(beside.exit_code, 0);
+  EXPECT_NE(beside.err.find("--fit-range"), std::string::npos) << beside.err;
+  for (const glm::vec4& pixel : read_image(path("beside.exr")).pixels) ASSERT_EQ(pixel.a, 0);
   const Image fitted = image_of(scene + Words{"--fit-range"});
   const std::string normalized = R"(transfer_function.points=[{"value": 0, "opacity": 0},
       {"value": 1, "opacity": 0.9}])";

@@ -16,7 +16,7 @@ const Words placements = {"eye", "entry", "entry_exit", "entry_exit_corner"};
 class PlacementStudy : public ProgramTest {
  protected:
   Words study_to(const std::string& folder, const Words& options = {}) const {
-    return Words{"report", "--study", "placement", "--size", "24x24", "-o", path(folder)} + options;
+    return Words{"report", "--study", "placement", "--size", "48x48", "-o", path(folder)} + options;
   }
   json json_in(const std::string& folder) const {
     return test::parse_json(content_of(path(folder + "/placement.json")));
@@ -59,7 +59,7 @@ void expect_plane(const json& plane) {
 void expect_volumes(const json& volumes) {
   for (const json& volume : volumes) {
     SCOPED_TRACE(volume["id"]);
-    EXPECT_EQ(volume["size"], json({24, 24}));
+    EXPECT_EQ(volume["size"], json({48, 48}));
     ASSERT_EQ(volume["placements"].size(), placements.size());
     for (const std::string& name : placements) {
       const json& placement = named(volume["placements"], "placement", name);
@@ -121,7 +121,7 @@ TEST_F(PlacementStudy, ItsPageStandsAloneAndItsPicturesAreThere) {
   std::size_t pictures = 0;
   const auto expect_picture = [&](const std::string& name) {
     ++pictures;
-    EXPECT_EQ(read_image(path("out/" + name)).size, glm::ivec2(24)) << name;
+    EXPECT_EQ(read_image(path("out/" + name)).size, glm::ivec2(48)) << name;
     EXPECT_TRUE(data["pictures"][name].get<std::string>().starts_with("data:image/png;base64,")) << name;
   };
   for (const json& volume : data["volumes"]) {
@@ -147,7 +147,7 @@ TEST_F(PlacementStudy, OfAVolume) {
   expect_volumes(study["volumes"]);
   // Its exact picture is the one that the same scene has
   output_of(Words{"render"} + gyroid +
-            Words{"--mode", "DVR_ONLY", "--engine", "reference", "--size", "24x24", "-o", path("exact.png")});
+            Words{"--mode", "DVR_ONLY", "--engine", "reference", "--size", "48x48", "-o", path("exact.png")});
   EXPECT_EQ(content_of(path("exact.png")), content_of(path("out/images/border-exact.png")));
 }
 

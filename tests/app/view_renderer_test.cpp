@@ -16,7 +16,7 @@ class Views : public ::testing::Test {
     const auto volume = std::make_shared<const Volume>(make_builtin("gyroid?n=24"));
     for (std::size_t i = 0; i < view_count; ++i) {
       requests[i] = {
-          make_scene(volume, load_preset("dirac-shell")), whole_volume_camera(volume->grid), {64, 48}};
+          make_scene(volume, load_preset("dirac-shell")), whole_volume_camera(volume->grid, 1), {64, 48}};
       requests[i].scene.rendering.mode = view_modes[i];
     }
   }

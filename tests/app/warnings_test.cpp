@@ -71,5 +71,29 @@ TEST_F(Warnings, ExactAnswersHaveThoseOfTheVolumeAlone) {
   }
 }
 
+TEST_F(Warnings, APictureThatShowsNothingSaysWhy) {
+  const std::string constant = write("constant.raw", std::string(64, 'a')) + "?size=4x4x4&type=uint8";
+  const Words beside = {"--set", "transfer_function.domain=data"};
+  for (const Words& engine : {Words{}, Words{"--engine", "reference"}}) {
+    const Outcome outcome = run(picture_of("render", constant) + beside + engine);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json notes = json::parse(outcome.out)["notes"];
+    ASSERT_EQ(notes.size(), 3U) << notes;
+    EXPECT_EQ(notes[0], "The volume is constant: every value is 97.");
+    EXPECT_NE(notes[1].get<std::string>().find("No point of the transfer function"), std::string::npos);
+    EXPECT_NE(notes[2].get<std::string>().find("No pixel of "), std::string::npos);
+    std::string told;
+    for (const json& note : notes) told += "crest: note: " + note.get<std::string>() + "\n";
+    EXPECT_EQ(outcome.err, told);
+  }
+  const Outcome compared = run(picture_of("compare", "builtin:sphere?n=16") +
+                               Words{"--set", "camera.eye=[9,9,9]", "--set", "camera.target=[10,10,10]"});
+  EXPECT_EQ(compared.exit_code, 0);
+  EXPECT_EQ(std::ranges::count(compared.err, '\n'), 4) << compared.err;
+  for (const json& mode : json::parse(compared.out)["modes"])
+    EXPECT_EQ(mode["notes"][0], "No pixel of " + mode["mode"].get<std::string>() +
+                                    " is visible: the camera does not see the volume.");
+}
+
 }  // namespace
 }  // namespace crest::test

@@ -14,7 +14,7 @@ class Contestant {
  public:
   Contestant(const Frame& frame, glm::ivec2 size, const std::filesystem::path& shaders = {})
       : scene_(frame.scene),
-        camera_(whole_volume_camera(scene_.volume->grid)),
+        camera_(whole_volume_camera(scene_.volume->grid, 1)),
         target_(size, frame.counts),
         raycaster_(shaders) {
     raycaster_.force(frame.forced);

@@ -188,7 +188,7 @@ std::vector<FeatureCase> feature_cases() {
 Need need_of(const Frame& frame, glm::ivec2 size) {
   Raycaster raycaster;
   raycaster.force(frame.forced);
-  return raycaster.need(frame.scene, whole_volume_camera(frame.scene.volume->grid), size, frame.counts);
+  return raycaster.need(frame.scene, whole_volume_camera(frame.scene.volume->grid, 1), size, frame.counts);
 }
 
 std::string fault_of(const std::vector<FeatureCase>& cases, glm::ivec2 size) {

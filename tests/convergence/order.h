@@ -64,7 +64,7 @@ class Order : public RaycasterTest {
   }
 
   OrderFit order_in_step(const char* what, const Scene& scene, Answer answer, std::span<const double> steps) {
-    const Camera camera = whole_volume_camera(scene.volume->grid, 20);
+    const Camera camera = whole_volume_camera(scene.volume->grid, 1, 20);
     return fit(what, steps, errors_in_step(scene, camera, answer, steps));
   }
 

@@ -39,7 +39,7 @@ TEST_F(ClipBoxes, IsACrop) {
   holed.statistics = compute_statistics(holed.grid, holed.values);
   for (const auto& whole : {full, std::make_shared<const Volume>(holed)}) {
     const auto part = cropped(*whole, first, last);
-    const Camera camera = whole_volume_camera(whole->grid);
+    const Camera camera = whole_volume_camera(whole->grid, 1);
     for (const Mode mode : {Mode::both, Mode::peak_xor_dvr, Mode::peak_only, Mode::dvr_only})
       for (const PeakForm form : {PeakForm::split, PeakForm::paper})
         for (const Placement placement : {Placement::entry_exit_corner, Placement::eye, Placement::entry}) {
@@ -93,7 +93,7 @@ TEST_F(ClipBoxes, BesideAndAround) {
   const auto volume = std::make_shared<const Volume>(make_builtin("sphere?n=16"));
   Scene scene = make_scene(volume, load_preset("smooth-haze"));
   scene.rendering.mode = Mode::both;
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   const glm::dvec3 low = volume->grid.box_min(), high = volume->grid.box_max(), size = high - low;
   const Image whole = render(scene, camera);
   for (const Mode mode : {Mode::both, Mode::dvr_only, Mode::peak_only}) {

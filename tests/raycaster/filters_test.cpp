@@ -61,7 +61,7 @@ class Filters : public RaycasterTest {
  protected:
   /// Root mean square errors against the scene's own exact answer.
   std::vector<double> errors(Scene scene, std::initializer_list<double> steps) {
-    const Camera camera = whole_volume_camera(scene.volume->grid, 30);
+    const Camera camera = whole_volume_camera(scene.volume->grid, 1, 30);
     const Image truth = render_reference(scene, camera, size, answers_of(scene.rendering).front()).image();
     std::vector<double> result;
     for (const double step : steps) {
@@ -139,7 +139,7 @@ bool is_near_face(const Volume& volume, glm::dvec3 p) {
 // sight, the field of DVR is not that of the surfaces.
 TEST_F(Filters, LightOfASampleIsThatOfItsOwnFieldsGradient) {
   const auto volume = wave_volume();
-  const Camera camera = whole_volume_camera(volume->grid, 30);
+  const Camera camera = whole_volume_camera(volume->grid, 1, 30);
   for (const Gradient kind : {Gradient::central, Gradient::filter})
     for (const Rendering& rendering : all_filters) {
       Scene scene{
@@ -176,7 +176,7 @@ TEST_F(Filters, LightOfASampleIsThatOfItsOwnFieldsGradient) {
 // The same at opaque surfaces, in the root filter's field.
 TEST_F(Filters, LightOfASurfaceIsThatOfTheRootFiltersGradient) {
   const auto volume = wave_volume();
-  const Camera camera = whole_volume_camera(volume->grid, 30);
+  const Camera camera = whole_volume_camera(volume->grid, 1, 30);
   const double isovalue = 0.55;
   for (const Gradient kind : {Gradient::central, Gradient::filter})
     for (const Rendering& rendering : all_filters) {
@@ -257,7 +257,7 @@ TEST_F(Filters, FacesOfEqualValuesStayEqual) {
   Scene scene{volume, tf, with_filters(Filter::linear_exact)};
   scene.rendering.mode = Mode::peak_only;
   scene.rendering.step = 0.07;
-  Camera camera = whole_volume_camera(volume->grid, 30);
+  Camera camera = whole_volume_camera(volume->grid, 1, 30);
   camera.eye = {-30, 17, 9};
   gl::RenderTarget target(size, true);
   const Reference exact = render_reference(scene, camera, size, Answer::crossings);
@@ -294,7 +294,7 @@ TEST_F(Filters, SkippingLeavesWhatAFilterMakesBeyondThePointsValues) {
               with_filters(Filter::bc)};
   scene.rendering.mode = Mode::peak_xor_dvr;
   scene.rendering.step = 0.2;
-  const Camera camera = whole_volume_camera(volume->grid, 30);
+  const Camera camera = whole_volume_camera(volume->grid, 1, 30);
   EXPECT_TRUE(raycaster.features(scene, false).skipping);
   const Image skipped = render(scene, camera, size);
   scene.rendering.skipping = false;
@@ -305,7 +305,7 @@ TEST_F(Filters, SkippingLeavesWhatAFilterMakesBeyondThePointsValues) {
 
 // One field costs what it costs without a root filter; two cost a sample more where DVR samples.
 TEST_F(Filters, NothingIsEvaluatedTwiceWhereTheRootFilterIsTheFilter) {
-  const Camera camera = whole_volume_camera(wave_volume()->grid, 30);
+  const Camera camera = whole_volume_camera(wave_volume()->grid, 1, 30);
   const TransferFunction tf =
       make_tf({point(0, 0.1), point(0.599, 0.1), point(0.6, 0.5), point(0.601, 0.1), point(1, 0.1)});
   const auto counted = [&](const Rendering& rendering) {

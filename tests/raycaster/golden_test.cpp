@@ -31,8 +31,7 @@ TEST_P(Golden, IsWhatItWas) {
       make_scene(std::make_shared<const Volume>(make_builtin(golden.volume)), load_preset(golden.preset));
   scene.rendering.mode = golden.mode;
   scene.rendering.peak_form = golden.form;
-  const Image image =
-      over_background(render(scene, whole_volume_camera(scene.volume->grid), size), glm::vec3(0));
+  const Image image = over_background(render(scene, sees_unit_cube, size), glm::vec3(0));
 
   const fs::path kept = test::source_folder() / "tests/data/golden" / (std::string(golden.name) + ".png");
   if (std::getenv("CREST_UPDATE_GOLDEN")) write_image(kept, image, glm::vec3(0));

@@ -25,7 +25,7 @@ TEST_F(March, PassesJoinWithoutASeam) {
   for (const Mode mode : {Mode::both, Mode::peak_xor_dvr, Mode::peak_only, Mode::dvr_only})
     for (const PeakForm form : {PeakForm::split, PeakForm::paper}) {
       const Scene scene = scene_of("gyroid?n=24", "four-peaks", mode, form);
-      const Camera camera = whole_volume_camera(scene.volume->grid);
+      const Camera camera = whole_volume_camera(scene.volume->grid, 1);
       const Image whole = render(scene, camera, {48, 48});
       raycaster.force({.features = {}, .intervals_per_pass = 7});
       const Image sliced = render(scene, camera, {48, 48});
@@ -76,7 +76,7 @@ TEST_F(March, EmptyCellsAreEmpty) {
 // Surfaces where brute force finds them, in number: on rays that cross transversally, at half a voxel.
 TEST_F(March, CrossingsAgreeWithBruteForce) {
   const Scene scene = scene_of("gyroid?n=48", "true-spike", Mode::peak_only);
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   constexpr glm::ivec2 size{64, 64};
   const double isovalue = find_peaks(scene.tf).front().value, opacity = find_peaks(scene.tf).front().opacity;
   Scene unshaded = scene;
@@ -110,7 +110,7 @@ TEST_F(March, TableAndListAgree) {
   many.tf = make_tf(points);
   ASSERT_FALSE(raycaster.features(few, false).peak_table);
   ASSERT_TRUE(raycaster.features(many, false).peak_table);
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   for (const int bins : {1, 3, 128, 512}) {
     many.rendering.peak_bins = bins;
     for (const double step : {0.5, 4.0}) {
@@ -129,7 +129,7 @@ TEST_F(March, SplitFormHardlyDependsOnTheStep) {
     scene.tf = make_tf({point(-1, 0.4, {0, 0, 1}), point(0.298, 0.4, {0, 0, 1}), point(0.3, 0.6, {1, 0, 0}),
                         point(0.302, 0.4, {0, 1, 0}), point(1, 0.4, {0, 1, 0})});
     scene.rendering.step = 0.5;
-    const Camera camera = whole_volume_camera(scene.volume->grid);
+    const Camera camera = whole_volume_camera(scene.volume->grid, 1);
     const Image coarse = render(scene, camera, {64, 64});
     scene.rendering.step = 0.05;
     const Image fine = render(scene, camera, {64, 64});
@@ -144,7 +144,7 @@ TEST_F(March, SplitFormHardlyDependsOnTheStep) {
 TEST_F(March, EarlyTermination) {
   Scene scene = scene_of("sphere?n=32", "smooth-haze", Mode::both);
   scene.tf.unit_distance *= 0.01;
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   const Image whole = render(scene, camera, {48, 48});
   const double all_samples = count(scene, camera, {48, 48}).samples;
   scene.rendering.early_termination = 0.004;
@@ -235,16 +235,16 @@ TEST_F(March, FeaturesAreWhatTheSceneNeeds) {
 // World units do not matter: the whole scene scaled by powers of ten gives the same picture.
 TEST_F(March, WorldUnitsDoNotMatter) {
   const Scene scene = scene_of("plume?n=32", "dirac-shell", Mode::both);
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   const Image image = render(scene, camera, {32, 32});
-  for (const double scale : {1e-9, 1e6}) {
+  for (const double scale : {1e-15, 1e-9, 1e6, 1e15}) {
     Volume volume = *scene.volume;
     volume.grid.spacing *= scale;
     volume.grid.origin *= scale;
     Scene scaled = scene;
     scaled.volume = std::make_shared<const Volume>(volume);
     scaled.tf.unit_distance *= scale;
-    const Image other = render(scaled, whole_volume_camera(volume.grid), {32, 32});
+    const Image other = render(scaled, whole_volume_camera(volume.grid, 1), {32, 32});
     EXPECT_LT(largest_difference(image, other), 1e-5) << scale;
   }
 }

@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 #include "render/files/load.h"
 #include "tests/paths.h"
@@ -27,10 +28,10 @@ class NearDirac : public RaycasterTest {
  protected:
   static constexpr glm::ivec2 size{384, 384};
 
-  void load(const std::string& source, double normalized_value) {
+  void load(const std::string& source, double normalized_value, const std::optional<Camera>& view = {}) {
     volume = std::make_shared<const Volume>(load_volume(source));
     tf = resolve(near_dirac(normalized_value), volume->statistics.range, volume->grid.smallest_spacing());
-    camera = whole_volume_camera(volume->grid);
+    camera = view.value_or(whole_volume_camera(volume->grid, 1));
     const double isovalue = tf.points[2].value;
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x)
@@ -75,7 +76,7 @@ class NearDirac : public RaycasterTest {
 };
 
 TEST_F(NearDirac, Plume) {
-  load("builtin:plume", 0.4);
+  load("builtin:plume", 0.4, sees_unit_cube);  // the view of docs/measured.md
   expect_found_by_peaks_alone();
 }
 

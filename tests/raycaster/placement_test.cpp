@@ -146,7 +146,7 @@ TEST_F(Placements, AgreeWithTheListings) {
   const auto volume = std::make_shared<const Volume>(make_builtin("sphere?n=12"));
   Scene scene{volume, make_tf({point(-1, 0.1, {1, 0, 0}), point(1, 0.6, {0, 1, 0.5})}, 4), {}};
   scene.rendering.mode = Mode::dvr_only;
-  const Camera camera = whole_volume_camera(volume->grid, 50);
+  const Camera camera = whole_volume_camera(volume->grid, 1, 50);
   constexpr glm::ivec2 size{48, 48};
   for (const Placement placement : all_placements)
     for (const double step : {3.0, 0.7}) {
@@ -172,7 +172,7 @@ TEST_F(Placements, AgreeWithTheListings) {
 
 TEST_F(Placements, PassesJoinWithoutASeam) {
   const auto volume = std::make_shared<const Volume>(make_builtin("gyroid?n=24"));
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   for (const Placement placement : all_placements)
     for (const Mode mode : {Mode::both, Mode::peak_xor_dvr, Mode::peak_only, Mode::dvr_only})
       for (const PeakForm form : {PeakForm::split, PeakForm::paper}) {

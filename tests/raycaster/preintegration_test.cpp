@@ -199,7 +199,7 @@ TEST_F(Preintegration, PassesJoinWithoutASeam) {
           set(scene, method);
           scene.rendering.preintegration_bins = 64;
           scene.rendering.shading = shading;
-          const Camera camera = whole_volume_camera(scene.volume->grid);
+          const Camera camera = whole_volume_camera(scene.volume->grid, 1);
           const Image whole = render(scene, camera, {48, 48});
           raycaster.force({.features = {}, .intervals_per_pass = 7});
           EXPECT_LT(largest_difference(whole, render(scene, camera, {48, 48})), 2e-5)
@@ -222,7 +222,7 @@ TEST_F(Preintegration, SkippingChangesNothing) {
       Scene scene = library_scene("vessels?n=48", "vessels-shell", mode, PeakForm::split);
       scene.rendering.shading = Shading::none;
       set(scene, method);
-      const Camera camera = whole_volume_camera(scene.volume->grid);
+      const Camera camera = whole_volume_camera(scene.volume->grid, 1);
       scene.rendering.skipping = false;
       const Image whole = render(scene, camera, {48, 48});
       const double samples = count(scene, camera, {48, 48}).samples;
@@ -333,7 +333,7 @@ TEST_F(Preintegration, ErrorOfTheTableFallsWithItsSize) {
                                           point(0.2, 0.02, {0, 1, 0}), point(1.5, 0.6, {1, 1, 0})},
                                          0.1));
   set(scene, ClassificationMethod::preintegrated_table);
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   scene.rendering.preintegration_bins = 2048;
   const Image fine = render(scene, camera, {32, 32});
   double before = 1;

@@ -57,7 +57,7 @@ TEST_F(ProgramFiles, ASecondStartCompilesNothing) {
 TEST_F(ProgramFiles, WhatWasReadDrawsTheSamePicture) {
   const auto volume = std::make_shared<const Volume>(make_builtin("sphere?n=16"));
   const Scene scene = make_scene(volume, load_preset("onion"));
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   gl::RenderTarget target({24, 24}, false);
   std::vector<glm::vec4> pictures[2];
   for (auto& pixels : pictures) {

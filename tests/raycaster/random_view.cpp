@@ -133,7 +133,7 @@ Rendering random_rendering(Dice& dice, const Grid& grid) {
 }
 
 Camera random_camera(Dice& dice, const Grid& grid) {
-  Camera camera = whole_volume_camera(grid);
+  Camera camera = whole_volume_camera(grid, 1);
   const glm::dvec3 middle = grid.origin + 0.5 * grid.box_size();
   const double size = glm::length(grid.box_size());
   if (dice.one_in(4)) return camera;

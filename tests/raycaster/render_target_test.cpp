@@ -16,7 +16,7 @@ TEST_F(Targets, ArePartByPartWhatTheyAreAtOnce) {
   const auto volume = std::make_shared<const Volume>(make_builtin("sphere?n=16"));
   const Scene scene = make_scene(volume, load_preset("onion"));
   gl::RenderTarget target({13, 17}, true);
-  raycaster.draw(scene, whole_volume_camera(volume->grid), target);
+  raycaster.draw(scene, whole_volume_camera(volume->grid, 1), target);
   const auto color = target.read_color().pixels;
   const auto counts = target.read_counts();
   EXPECT_NE(color.front(), color[13 * 8 + 6]);

@@ -133,7 +133,7 @@ TEST_F(VaryingSteps, SmallerStepsAreNeverWorse) {
     Scene close = make_scene(plume, preset);
     close.rendering.mode = Mode::dvr_only;
     close.rendering.sampling = sampling;
-    Camera camera = whole_volume_camera(plume->grid);
+    Camera camera = whole_volume_camera(plume->grid, 1);
     camera.eye = glm::mix(camera.eye, camera.target, 0.6);
     const glm::ivec2 size(128);
     const Reference exact = render_reference(close, camera, size, Answer::integral);
@@ -157,7 +157,7 @@ TEST_F(VaryingSteps, AdaptiveTakesFewerSamplesForALittleMoreError) {
   const auto plume = std::make_shared<const Volume>(make_builtin("plume?n=64"));
   Scene adaptive = make_scene(plume, load_preset("smooth-haze"));
   adaptive.rendering.mode = Mode::dvr_only;
-  const Camera camera = whole_volume_camera(plume->grid);
+  const Camera camera = whole_volume_camera(plume->grid, 1);
   const glm::ivec2 size(64);
   const Reference exact = render_reference(adaptive, camera, size, Answer::integral);
   const Scene plain = adaptive;

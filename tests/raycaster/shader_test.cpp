@@ -33,7 +33,7 @@ class Shaders : public RaycasterTest {
 // A shader that no longer compiles keeps the last good program, and says which line of which file is wrong.
 TEST_F(Shaders, FailedReloadKeepsTheLastGoodProgram) {
   Raycaster from_folder(folder);
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   gl::RenderTarget target({16, 16}, false);
   from_folder.draw(scene, camera, target);
   const Image good = target.read_color();
@@ -58,7 +58,7 @@ TEST_F(Shaders, FirstFailureIsAnError) {
   append("field.glsl", "}\n");
   Raycaster from_folder(folder);
   gl::RenderTarget target({16, 16}, false);
-  EXPECT_THROW(from_folder.draw(scene, whole_volume_camera(scene.volume->grid), target), Error);
+  EXPECT_THROW(from_folder.draw(scene, whole_volume_camera(scene.volume->grid, 1), target), Error);
 }
 
 TEST(ShaderLog, NamesFilesForEveryDriver) {

@@ -47,7 +47,7 @@ TEST_F(Skipping, LeavesThePictureAsItIs) {
   for (const auto& volume : volumes)
     for (const char* preset : {"vessels-shell", "four-peaks"}) {
       Scene scene = make_scene(volume, load_preset(preset));
-      const Camera camera = whole_volume_camera(volume->grid);
+      const Camera camera = whole_volume_camera(volume->grid, 1);
       for (const Mode mode : {Mode::both, Mode::peak_xor_dvr, Mode::peak_only, Mode::dvr_only})
         for (const PeakForm form : {PeakForm::split, PeakForm::paper}) {
           scene.rendering.mode = mode;
@@ -62,7 +62,7 @@ TEST_F(Skipping, HoldsForEverySamplingAndStep) {
   const auto volume = std::make_shared<const Volume>(make_builtin("vessels?n=48"));
   Scene scene = make_scene(volume, load_preset("vessels-shell"));
   scene.rendering.mode = Mode::peak_xor_dvr;
-  Camera camera = whole_volume_camera(volume->grid);
+  Camera camera = whole_volume_camera(volume->grid, 1);
   for (const bool inside : {false, true}) {
     if (inside) camera.eye = glm::mix(camera.eye, camera.target, 0.9);
     for (const double step : {0.05, 0.4, 3.0, 20.0})
@@ -86,7 +86,7 @@ TEST_F(Skipping, HoldsInPassesAndWithJoinedSteps) {
   const auto volume = std::make_shared<const Volume>(make_builtin("vessels?n=48"));
   Scene scene = make_scene(volume, load_preset("vessels-shell"));
   scene.rendering.mode = Mode::peak_xor_dvr;
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   Forced forced;
   forced.features.skipping = forced.features.long_rays = true;
   forced.intervals_per_pass = 37;
@@ -106,7 +106,7 @@ TEST_F(Skipping, TakesNoSampleTwice) {
   const auto volume = std::make_shared<const Volume>(make_builtin("plume?n=40"));
   Scene scene = make_scene(volume, load_preset("smooth-haze"));
   for (ControlPoint& point : scene.tf.points) point.opacity = std::max(point.opacity, 0.01);
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   for (const Mode mode : {Mode::both, Mode::dvr_only}) {
     scene.rendering.mode = mode;
     const RenderCounts with = count(scene, camera);
@@ -122,7 +122,7 @@ TEST_F(Skipping, TakesNoSampleTwice) {
 TEST_F(Skipping, SkipsWhatIsEmpty) {
   const auto volume = std::make_shared<const Volume>(make_builtin("vessels?n=64"));
   Scene scene = make_scene(volume, load_preset("vessels-shell"));
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   raycaster.force({});
   const double with = count(scene, camera, {64, 64}).samples;
   scene.rendering.skipping = false;

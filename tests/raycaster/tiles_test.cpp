@@ -43,7 +43,7 @@ TEST_F(Tiles, CoverThePictureOnce) {
 
 TEST_F(Tiles, LeaveThePictureAsItIs) {
   const auto volume = std::make_shared<const Volume>(make_builtin("gyroid?n=20"));
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   const glm::ivec2 size(37, 41);
   Renderer renderer;
   const auto expect_same = [&](const Scene& scene) {

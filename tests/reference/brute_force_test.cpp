@@ -87,7 +87,7 @@ TEST(ReferenceBruteForce, RandomVolumesAndTransferFunctions) {
     TransferFunction tf = random_tf(random, 9);
     tf.unit_distance = 0.5;
     const Scene scene = scene_of(volume, tf);
-    const Camera camera = whole_volume_camera(volume->grid, 40);
+    const Camera camera = whole_volume_camera(volume->grid, 1, 40);
     const glm::ivec2 size(6, 6);
     expect_as_sampled(
         scene, camera, size, 10000, 2e-3, [&](Answer a) { return render_reference(scene, camera, size, a); },
@@ -103,7 +103,7 @@ TEST(ReferenceBruteForce, AFormula) {
     TransferFunction tf = resolve(random_tf(random, 6), volume->statistics.range, 1);
     tf.domain = Domain::normalized;
     const Scene scene = scene_of(volume, resolve(tf, volume->statistics.range, 1));
-    const Camera camera = whole_volume_camera(volume->grid, 40);
+    const Camera camera = whole_volume_camera(volume->grid, 1, 40);
     const glm::ivec2 size(4, 4);
     expect_as_sampled(
         scene, camera, size, 10000, 2e-3,

@@ -31,7 +31,7 @@ class ReferenceCache : public ::testing::Test {
     folder = name;
     TransferFunction tf = colored(tf_of({{0, 0}, {3, 0.1}, {4, 0.8}, {5, 0.1}, {8, 0.3}}), {{1, 0.5, 0.25}});
     scene = scene_of(wave_volume(), tf);
-    camera = whole_volume_camera(scene.volume->grid);
+    camera = whole_volume_camera(scene.volume->grid, 1);
   }
   ~ReferenceCache() override {
     std::error_code ignored;

@@ -174,7 +174,7 @@ TEST(ReferenceExtremes, EyesAMillionDiagonalsAway) {
 TEST(ReferenceExtremes, NarrowAndWideFieldsOfView) {
   const LinearField field({7, 6, 5});
   const glm::ivec2 size(16, 12);
-  EXPECT_GT(field.expect_exact(whole_volume_camera(field.grid(), 0.001), size, 1e-8), 40);
+  EXPECT_GT(field.expect_exact(whole_volume_camera(field.grid(), 1, 0.001), size, 1e-8), 40);
   EXPECT_EQ(field.expect_exact(looking({-300, 10, 20}, {3, 2.5, 2}, 0.001), size, 1e-9), 16 * 12);
   EXPECT_EQ(field.expect_exact(looking({3.2, 2.1, 1.9}, {5, 3, 2}, 170), size, 1e-10), 16 * 12);
   EXPECT_GT(field.expect_exact(looking({-0.2, 2.1, 1.9}, {5, 3, 2}, 170), size, 1e-10), 4);

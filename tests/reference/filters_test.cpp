@@ -58,7 +58,7 @@ Sampled sample(const Scene& scene, const TransferFunction& tf, const std::vector
 }
 
 void expect_as_sampled(const Scene& scene, double tolerance) {
-  const Camera camera = whole_volume_camera(scene.volume->grid, 40);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1, 40);
   const Classification classified = classify(scene.tf, surface_range(scene));
   for (const Answer answer : {Answer::integral, Answer::crossings, Answer::base_and_crossings}) {
     TransferFunction tf = scene.tf;
@@ -122,7 +122,7 @@ TEST(ReferenceFilters, TwoFieldsThatAreEqualGiveWhatOneDoes) {
   std::mt19937 random(3);
   for (int round = 0; round < 4; ++round) {
     Scene scene = scene_of(random_volume(random), random_tf(random, 7));
-    const Camera camera = whole_volume_camera(scene.volume->grid, 40);
+    const Camera camera = whole_volume_camera(scene.volume->grid, 1, 40);
     scene.rendering = with_filters(Filter::bspline);
     const Reference one = render_reference(scene, camera, size, Answer::integral_and_crossings);
     scene.rendering = with_filters(Filter::bspline, Filter::bc, 1, 0);

@@ -30,7 +30,7 @@ TEST(ReferenceFormula, IsTheTrilinearFieldWhereThisIsExact) {
   for (const char* name : {"linear?n=65", "trilinear?n=65"}) {
     const auto volume = std::make_shared<const Volume>(make_builtin(name));
     const FormulaField field = builtin_field(name);
-    const Camera camera = whole_volume_camera(volume->grid, 40);
+    const Camera camera = whole_volume_camera(volume->grid, 1, 40);
     for (int round = 0; round < 4; ++round) {
       TransferFunction tf = random_tf(random, 8);
       tf.domain = Domain::normalized;

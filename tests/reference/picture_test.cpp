@@ -24,7 +24,7 @@ TEST(ReferencePicture, TellsItsProgress) {
     told.push_back(done);
     return true;
   };
-  render_reference(scene, whole_volume_camera(scene.volume->grid), {50, 41}, Answer::integral, 1e-10,
+  render_reference(scene, whole_volume_camera(scene.volume->grid, 1), {50, 41}, Answer::integral, 1e-10,
                    progress);
   ASSERT_GT(told.size(), 10u);
   EXPECT_TRUE(std::ranges::is_sorted(told));
@@ -39,15 +39,15 @@ TEST(ReferencePicture, StopsWhenItIsTold) {
     ++calls;
     return done < 0.2;
   };
-  EXPECT_THROW(render_reference(scene, whole_volume_camera(scene.volume->grid), {100, 100}, Answer::integral,
-                                1e-10, progress),
+  EXPECT_THROW(render_reference(scene, whole_volume_camera(scene.volume->grid, 1), {100, 100},
+                                Answer::integral, 1e-10, progress),
                Cancelled);
   EXPECT_LT(calls, 100 * 100 / 64 / 2);
 }
 
 TEST(ReferencePicture, RefusesWhatIsNoPicture) {
   const Scene scene = library_scene("sphere?n=9", "onion");
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   for (const glm::ivec2 size : {glm::ivec2(0, 8), {8, 0}, {-1, 8}})
     EXPECT_THROW(render_reference(scene, camera, size, Answer::integral), Error);
   Camera blind = camera;
@@ -58,7 +58,7 @@ TEST(ReferencePicture, RefusesWhatIsNoPicture) {
 // A clip box beside the volume leaves nothing of it, also where it is beside it on one axis alone.
 TEST(ReferencePicture, NothingLiesInAClipBoxBesideTheVolume) {
   Scene scene = library_scene("sphere?n=9", "smooth-haze");
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   for (const double beside : {1.01, 1.5, 5.0}) {
     scene.rendering.clip_box = ClipBox{{beside, -1, -1}, {beside + 1, 1, 1}, {}};
     for (const glm::dvec4& pixel : render_reference(scene, camera, {32, 32}, Answer::integral).pixels)
@@ -73,7 +73,7 @@ TEST(ReferencePicture, WhatFloatCosts) {
                                        {"gyroid?n=24", "four-peaks"},
                                        {"marschner-lobb?n=24", "smooth-haze"}}) {
     const Scene scene = library_scene(volume, preset);
-    const Camera camera = whole_volume_camera(scene.volume->grid);
+    const Camera camera = whole_volume_camera(scene.volume->grid, 1);
     for (const Answer answer : {Answer::integral, Answer::crossings, Answer::base_and_crossings}) {
       const glm::ivec2 size(48, 48);
       const Reference exact = render_reference(scene, camera, size, answer),

@@ -168,7 +168,7 @@ TEST(ReferenceQuadrature, RandomVolumesAndTransferFunctions) {
     TransferFunction tf = random_tf(random, 9);
     tf.unit_distance = round % 3 == 0 ? 0.02 : round % 3 == 1 ? 0.5 : 40;
     const Scene scene = scene_of(volume, tf);
-    Camera camera = whole_volume_camera(volume->grid, 40);
+    Camera camera = whole_volume_camera(volume->grid, 1, 40);
     camera.fov_y_degrees = 12;
     const Classification classified = classify(tf, volume->statistics.range);
     const Answer answer = all_answers[round % 4];

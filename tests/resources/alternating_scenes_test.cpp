@@ -27,7 +27,7 @@ class AlternatingScenes : public RaycasterTest {
   }
   Image draw(const Scene& scene) {
     gl::RenderTarget target({16, 16}, false);
-    renderer.draw(scene, whole_volume_camera(scene.volume->grid), target);
+    renderer.draw(scene, whole_volume_camera(scene.volume->grid, 1), target);
     return target.read_color();
   }
   /// Draws the scenes in turn: nothing is made after the first turn, and each picture stays the same to the

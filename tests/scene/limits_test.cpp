@@ -38,7 +38,7 @@ Scene scene_of(TransferFunction tf, Mode mode) {
 }
 
 std::vector<std::string> warnings_of(const Scene& scene) {
-  return scene_warnings(scene, whole_volume_camera(scene.volume->grid), picture);
+  return scene_warnings(scene, whole_volume_camera(scene.volume->grid, 1), picture);
 }
 
 std::vector<std::string> warnings_from(const Camera& camera, glm::ivec2 size = picture) {
@@ -53,7 +53,7 @@ TEST(Limits, TheLibraryOnALargeVolumeHasNoWarning) {
     for (const auto& [mode, name] : names_of<Mode>()) {
       Scene scene = make_scene(volume, load_preset(std::string(preset.name)));
       scene.rendering.mode = mode;
-      EXPECT_EQ(scene_warnings(scene, whole_volume_camera(volume->grid), {4096, 4096}),
+      EXPECT_EQ(scene_warnings(scene, whole_volume_camera(volume->grid, 1), {4096, 4096}),
                 std::vector<std::string>())
           << preset.name << ' ' << name;
     }
@@ -130,7 +130,7 @@ TEST(Limits, ValuesFarFromZero) {
 
 TEST(Limits, APixelAsNarrowAsARounding) {
   const Grid grid = volume_of(64)->grid;
-  Camera camera = whole_volume_camera(grid);
+  Camera camera = whole_volume_camera(grid, 1);
   EXPECT_EQ(warnings_from(camera).size(), 0U);
   camera.fov_y_degrees = 0.001;
   ASSERT_EQ(warnings_from(camera).size(), 1U);

@@ -210,7 +210,7 @@ TEST_F(Files, SaveBeforeQuittingToANewName) {
 
 TEST_F(Files, TypingInAFieldIsNotACommand) {
   inputs.volume = &volume;
-  document.preset.camera = inputs.camera;
+  document.preset.camera = Camera{};
   frames(30);
   click(place_of(2));
   click("##value");

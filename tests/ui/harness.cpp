@@ -60,7 +60,6 @@ Studio::Studio() {
   io.MousePos = {-1000, -1000};
   tf().points = points_of({{0, 0}, {20, 0.2}, {50, 0.8}, {70, 0.1}, {100, 0.5}});
   inputs.volume = &volume;
-  inputs.camera = {{0, -50, 10}, {5.5, 5.5, 5.5}, {0, 0, 1}, 30, {}};
   document.volume_source = "bump.nrrd";
   frames(3);
 }

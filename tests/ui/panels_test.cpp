@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render/scene/camera.h"
 #include "tests/ui/harness.h"
 #include "ui/transfer_function_editor.h"
 
@@ -196,7 +197,7 @@ TEST_F(Views, FourPicturesOfAboutTheSameSize) {
 }
 
 TEST_F(Views, LeftDragTurnsAndUndoIsOneStep) {
-  const Camera before = inputs.camera;
+  const Camera before = camera_of(document.preset, volume.grid, aspect_of(requests.view_pixels[0]));
   const ImVec2 middle = center_of("view1");
   drag(middle, {middle.x + 60, middle.y + 25});
   ASSERT_TRUE(document.preset.camera);
@@ -209,21 +210,22 @@ TEST_F(Views, LeftDragTurnsAndUndoIsOneStep) {
 
 TEST_F(Views, ThePictureFollowsThePan) {
   const ImVec2 middle = center_of("view0");
+  const Camera before = camera_of(document.preset, volume.grid, aspect_of(requests.view_pixels[0]));
   drag(middle, {middle.x + 60, middle.y}, 2);
   ASSERT_TRUE(document.preset.camera);
   const Camera camera = *document.preset.camera;
-  EXPECT_NEAR(glm::length(camera.eye - inputs.camera.eye), glm::length(camera.target - inputs.camera.target),
-              1e-9);
+  EXPECT_NEAR(glm::length(camera.eye - before.eye), glm::length(camera.target - before.target), 1e-9);
   const double height = 2 * std::tan(camera.fov_y_degrees * std::acos(-1.0) / 360) * distance(camera);
-  EXPECT_NEAR(glm::length(camera.eye - inputs.camera.eye), 60 * height / requests.view_pixels[0].y, 1e-6);
-  EXPECT_LT(camera.eye.x, inputs.camera.eye.x) << "the picture goes right, so the camera goes left";
+  EXPECT_NEAR(glm::length(camera.eye - before.eye), 60 * height / requests.view_pixels[0].y, 1e-6);
+  EXPECT_LT(camera.eye.x, before.eye.x) << "the picture goes right, so the camera goes left";
 }
 
 TEST_F(Views, WheelDolliesAndResetForgetsTheCamera) {
   move_to(center_of("view3"));
+  const Camera before = camera_of(document.preset, volume.grid, aspect_of(requests.view_pixels[3]));
   for (int i = 0; i < 4; ++i) wheel(1);
   ASSERT_TRUE(document.preset.camera);
-  EXPECT_LT(distance(*document.preset.camera), 0.7 * distance(inputs.camera));
+  EXPECT_LT(distance(*document.preset.camera), 0.7 * distance(before));
   key('R');
   EXPECT_FALSE(document.preset.camera);
   frames(60);
@@ -290,7 +292,9 @@ TEST_F(Hostile, StatisticsThatAreNoNumbers) {
   volume.statistics.range = {std::nan(""), std::nan("")};
   ImGui::NewFrame();
   StudioInputs strange = inputs;
-  strange.camera.eye = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+  Camera nowhere;
+  nowhere.eye = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+  document.preset.camera = nowhere;
   studio_frame(document, *state, strange);
   ImGui::Render();
   EXPECT_TRUE(std::isfinite(axis_range(tf(), &volume).width()));

@@ -63,7 +63,7 @@ TEST_F(LeapingLayers, FollowTheTransferFunction) {
   const auto volume = builtin("sphere?n=24");
   const ValueRange range = volume->statistics.range;
   const auto value = [&](double share) { return range.min + share * range.width(); };
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   double least = 1e9, most = 0;
   for (const double inner : {0.3, 0.5, 0.7, 0.9}) {
     Scene scene{volume, make_tf({point(value(0), 0), point(value(inner), 0), point(value(1), 0.5)}), {}};

@@ -55,7 +55,7 @@ TEST_F(Filters, AreTheirFormulas) {
 TEST_F(Filters, BothEnginesShowTheSame) {
   Scene scene = dvr_scene(builtin("gyroid?n=20"), "smooth-haze");
   scene.rendering.shading = Shading::gradient;
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   VdlsOptions direct, backwards = VdlsOptions::basic();
   backwards.back_to_front = true;
   backwards.layers_per_pass = 3;
@@ -71,7 +71,7 @@ TEST_F(Filters, BothEnginesShowTheSame) {
 // In the ray caster each filter joins its passes, steps of any kind, and says what it leaves out.
 TEST_F(Filters, JoinThePassesOfLongRays) {
   Scene scene = dvr_scene(builtin("gyroid?n=20"), "smooth-haze", 0.25);
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   for (const auto& [illumination, name] : names_of<Illumination>()) {
     scene.rendering.illumination = illumination;
     renderer.raycaster().force({});
@@ -90,7 +90,7 @@ TEST_F(Filters, IsoSurfacesLeapFurther) {
   const auto value = [&](double share) { return range.min + share * range.width(); };
   scene.tf = make_tf({point(value(0), 0), point(value(0.3), 0), point(value(1), 0.8)});
   scene.rendering.mode = Mode::dvr_only;
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   const auto samples = [&](Illumination illumination) {
     scene.rendering.illumination = illumination;
     EXPECT_LT(difference(scene, camera, {}), rounding);

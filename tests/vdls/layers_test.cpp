@@ -31,7 +31,7 @@ std::string text_of(const VdlsOptions& o) {
 // The samples are the ray caster's, so the picture is, too, whatever the speed-ups.
 TEST_F(Layers, EverySpeedUpGivesTheRayCastersPicture) {
   Scene scene = dvr_scene(builtin("sphere?n=24"), "smooth-haze");
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   const Image expected = render(scene, camera, {40, 40}, Engine::raycaster);
   EXPECT_GT(expected.at(20, 20).a, 0.1f);
   for (const VdlsOptions& options : all_options()) {
@@ -47,7 +47,8 @@ TEST_F(Layers, FromEverywhere) {
   const auto volume = builtin("gyroid?n=20");
   const Grid& grid = volume->grid;
   const glm::dvec3 middle = grid.origin + 0.5 * grid.box_size(), size = grid.box_size();
-  std::vector<Camera> cameras{whole_volume_camera(grid), along_z(grid, 1.5 * size.x), along_z(grid, size.x)};
+  std::vector<Camera> cameras{whole_volume_camera(grid, 1), along_z(grid, 1.5 * size.x),
+                              along_z(grid, size.x)};
   for (const glm::dvec3 eye : {glm::dvec3(0), {0.2, 0.1, -0.3}, {0, 0, -0.5}, {0.6, 0, 0.2}, {0.5, 0.5, 0.5}})
     for (const glm::dvec3 towards : {glm::dvec3(0.3, -0.2, 1), {-1, 0.1, -0.2}})
       cameras.push_back({middle + eye * size, middle + (eye + towards) * size, {0, 1, 0}, 70, ""});
@@ -62,7 +63,7 @@ TEST_F(Layers, FromEverywhere) {
 TEST_F(Layers, SmallStepsDoNotDrift) {
   const auto volume = builtin("sphere?n=9");
   const Scene scene = dvr_scene(volume, "onion", 0.004);
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   for (const VdlsOptions& options : {VdlsOptions{}, VdlsOptions{.back_to_front = true}})
     EXPECT_LT(difference(scene, camera, options), rounding) << text_of(options);
   EXPECT_GT(renderer.vdls().last_work().layers, 1500);
@@ -83,14 +84,14 @@ TEST_F(Layers, ClipBoxesAndOddGrids) {
     for (const glm::ivec2 pixels : {glm::ivec2(48, 31), {17, 50}})
       for (const VdlsOptions& options : {VdlsOptions{}, VdlsOptions::basic()}) {
         scene.rendering.clip_box = box;
-        EXPECT_LT(difference(scene, whole_volume_camera(odd.grid), options, pixels), rounding);
+        EXPECT_LT(difference(scene, whole_volume_camera(odd.grid, 1), options, pixels), rounding);
       }
 }
 
 // The counts are the ray caster's, but for the transparent samples that are leapt over.
 TEST_F(Layers, Counts) {
   Scene scene = dvr_scene(builtin("sphere?n=24"), "smooth-haze");
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   scene.rendering.skipping = false;
   const auto expected = counts(scene, camera, {32, 32}, Engine::raycaster);
   scene.rendering.vdls = VdlsOptions::basic();
@@ -109,7 +110,7 @@ TEST_F(Layers, Counts) {
 TEST_F(Layers, Tiles) {
   Scene scene = dvr_scene(builtin("gyroid?n=20"), "smooth-haze");
   scene.rendering.engine = Engine::vdls;
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   const Image whole = render(scene, camera, {40, 40}, Engine::vdls);
   gl::RenderTarget target({40, 40}, false);
   for (const Tile& tile : {Tile{{0, 0}, {40, 7}}, {{0, 7}, {13, 40}}, {{13, 7}, {40, 40}}})

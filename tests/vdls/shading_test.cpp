@@ -29,7 +29,7 @@ TEST_F(ShadedLayers, SameGradientsSamePicture) {
   for (const Scene& scene : {shells(), haze})
     for (VdlsOptions options : {VdlsOptions{}, VdlsOptions::basic()}) {
       options.gradient_volume = false;
-      EXPECT_LT(difference(scene, whole_volume_camera(scene.volume->grid), options), 2 * rounding);
+      EXPECT_LT(difference(scene, whole_volume_camera(scene.volume->grid, 1), options), 2 * rounding);
     }
 }
 
@@ -42,7 +42,7 @@ TEST_F(ShadedLayers, QuantisedGradientsKeepTheirBound) {
   EXPECT_LT(bound, 1e-4);
   Scene unshaded = scene;
   unshaded.rendering.shading = Shading::none;
-  const Camera camera = whole_volume_camera(scene.volume->grid);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
   EXPECT_LT(difference(scene, camera, {}), bound);
   EXPECT_GT(largest_difference(render(scene, camera, {40, 40}, Engine::vdls),
                                render(unshaded, camera, {40, 40}, Engine::vdls)),
@@ -57,7 +57,7 @@ TEST_F(ShadedLayers, FlatFieldsAreFullyLit) {
   scene.rendering.mode = Mode::dvr_only;
   scene.rendering.shading = Shading::gradient;
   scene.rendering.clip_box = ClipBox{{0, 0, 0}, {5, 8, 8}, ""};
-  EXPECT_LT(difference(scene, whole_volume_camera(grid), {}), rounding);
+  EXPECT_LT(difference(scene, whole_volume_camera(grid, 1), {}), rounding);
 }
 
 }  // namespace

@@ -63,21 +63,21 @@ PlacementScene border_scene(const Scene& scene, const Camera& camera) {
                    scene, camera);
 }
 
-PlacementScene builtin_border_scene() {
+PlacementScene builtin_border_scene(double aspect) {
   const Scene scene = default_scene("gyroid?n=48");
-  PlacementScene result = border_scene(scene, whole_volume_camera(scene.volume->grid));
+  PlacementScene result = border_scene(scene, whole_volume_camera(scene.volume->grid, aspect));
   result.title = "builtin:gyroid?n=48";
   return result;
 }
 
-PlacementScene whole_plume() {
+PlacementScene whole_plume(double aspect) {
   const Scene scene = default_scene(plume);
   return dvr_scene("plume", "builtin:plume?n=64, whole", "Its data end before its border, but for its top.",
-                   scene, whole_volume_camera(scene.volume->grid));
+                   scene, whole_volume_camera(scene.volume->grid, aspect));
 }
 
-PlacementScene clipped_plume() {
-  PlacementScene result = whole_plume();
+PlacementScene clipped_plume(double aspect) {
+  PlacementScene result = whole_plume(aspect);
   result.id = "clipped";
   result.title = "builtin:plume?n=64 in a clip box";
   result.note = "The box cuts through the data on two sides.";

@@ -21,13 +21,13 @@ PlacementScene extruded_square();
 
 /// A volume with data at its border (as the paper's fig. 5), and the same scene as a preset has it.
 PlacementScene border_scene(const Scene& scene, const Camera& camera);
-/// The built-in one: a gyroid.
-PlacementScene builtin_border_scene();
+/// The built-in one: a gyroid, whole in a picture of this aspect (width by height).
+PlacementScene builtin_border_scene(double aspect);
 
 /// A plume, whose data end before its border but for its top; and the same with a clip box that cuts through
-/// the data, on planes of points.
-PlacementScene whole_plume();
-PlacementScene clipped_plume();
+/// the data, on planes of points. `aspect` is the picture's.
+PlacementScene whole_plume(double aspect);
+PlacementScene clipped_plume(double aspect);
 
 /// The points of the scene's volume in its clip box, as a volume of their own, and no clip box. Its planes
 /// must be planes of points.

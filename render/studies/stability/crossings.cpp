@@ -197,7 +197,7 @@ std::vector<Row> integers_with_peaks_at_integers(Lab& lab) {
   Random random(7);
   const VolumePtr volume = make_volume(cube(9), [&](glm::dvec3) { return std::floor(random.uniform(0, 7)); });
   const std::vector<Row> exact = rows_against_exact(lab, "random integers in space, a peak at 3", volume, 3,
-                                                    whole_volume_camera(volume->grid));
+                                                    whole_volume_camera(volume->grid, 1));
   rows.insert(rows.end(), exact.begin(), exact.end());
   return rows;
 }

@@ -58,7 +58,7 @@ Camera across(const Grid& grid) {
 
 std::vector<Row> smallest_grid(Lab& lab) {
   const HazeAndPlane haze{.grid = cube(2), .unit_distance = 1};
-  return rows_of(lab, "2x2x2 points", haze, whole_volume_camera(haze.grid));
+  return rows_of(lab, "2x2x2 points", haze, whole_volume_camera(haze.grid, 1));
 }
 
 std::vector<Row> long_grid(Lab& lab) {
@@ -81,7 +81,7 @@ std::vector<Row> long_spacing(Lab& lab) {
   deep.isovalue_share = 0.5;
   append(rows, rows_of(lab, "spacing 1:1:1000, across", deep, across(deep.grid), stretched));
   const HazeAndPlane flat{.grid = {glm::ivec3(9), {1000, 1000, 1}, glm::dvec3(0)}};
-  append(rows, rows_of(lab, "spacing 1000:1000:1", flat, whole_volume_camera(flat.grid), stretched));
+  append(rows, rows_of(lab, "spacing 1000:1000:1", flat, whole_volume_camera(flat.grid, 1), stretched));
   return rows;
 }
 

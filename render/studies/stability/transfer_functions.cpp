@@ -54,7 +54,7 @@ glm::dvec4 haze_pixel(double opacity, double unit_distance, double length) {
 std::vector<Row> widths_of_peaks(Lab& lab) {
   const VolumePtr volume = gyroid_in_levels();
   const ValueRange range = volume->statistics.range;
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   const auto draw = [&](double width) {
     return lab.draw(make_scene(volume, peak_of_width(range, width, 0), Mode::peak_only), camera);
   };
@@ -76,7 +76,7 @@ std::vector<Row> widths_of_peaks(Lab& lab) {
 std::vector<Row> widths_of_spikes_in_haze(Lab& lab) {
   const VolumePtr volume = gyroid_in_levels();
   const ValueRange range = volume->statistics.range;
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   Worst worst;
   std::vector<Image> pictures;
   for (const double width : peak_widths) {
@@ -97,7 +97,7 @@ std::vector<Row> colors_of_narrow_peaks(Lab& lab) {
   // a)
   const VolumePtr volume = gyroid_in_levels();
   const ValueRange range = volume->statistics.range;
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   Worst worst;
   std::vector<Image> pictures;
   for (const double width : peak_widths) {

@@ -43,7 +43,7 @@ VolumePtr gyroid_in_sixteen_steps() {
 std::vector<Row> rows_against_exact(Lab& lab, const std::string& name, const VolumePtr& volume,
                                     double isovalue) {
   std::vector<Row> rows;
-  const Camera camera = whole_volume_camera(volume->grid);
+  const Camera camera = whole_volume_camera(volume->grid, 1);
   for (const Mode mode : tested_modes) {
     const TransferFunction tf = haze_with_surface(volume->statistics.range, isovalue, 0.2, 0.5,
                                                   8 * volume->grid.smallest_spacing(), mode);
@@ -75,7 +75,7 @@ std::vector<Row> far_from_zero(Lab& lab) {
     const VolumePtr volume = gyroid_in_sixteen_steps();
     const double voxel = volume->grid.smallest_spacing();
     return View{make_scene(volume, haze_and_peaks(volume->statistics.range, 8 * voxel), mode, fine_step),
-                whole_volume_camera(volume->grid)};
+                whole_volume_camera(volume->grid, 1)};
   };
   std::vector<Change> changes;
   for (const double offset : {1e6, -1e6 - 1})
@@ -107,7 +107,7 @@ std::vector<Row> signed_values(Lab& lab) {
   const auto plain = [&](Mode mode) {
     return View{
         make_scene(as_signed, haze_and_peaks(as_signed->statistics.range, 8 * voxel), mode, fine_step),
-        whole_volume_camera(gyroid->grid)};
+        whole_volume_camera(gyroid->grid, 1)};
   };
   const Change shifted{"as unsigned, 32768 more", [&](const View& view) {
                          View other = view;

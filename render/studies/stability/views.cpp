@@ -41,9 +41,13 @@ std::vector<bool> nearly_grazing(const Lab& lab, const View& view) {
 
 View plain_view(Mode mode) {
   const VolumePtr volume = gyroid_in_levels();
+  // All of the box from -1 to 1, in a view of its own: how near its rays pass to tangents is a part of the
+  // case
+  const Camera camera{
+      {2.9297745775126893, -5.2084881378003365, 2.6042440689001682}, {0, 0, 0}, {0, 0, 1}, 30, {}};
   return {make_scene(volume, haze_and_peaks(volume->statistics.range, 8 * volume->grid.smallest_spacing()),
                      mode, fine_step),
-          whole_volume_camera(volume->grid)};
+          camera};
 }
 
 std::vector<Row> rows_of_changes(Lab& lab, const std::string& name, const std::function<View(Mode)>& plain,

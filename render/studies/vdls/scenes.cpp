@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <numbers>
 
 #include "presets/error.h"
@@ -118,14 +119,17 @@ VdlsScene phantom_scene() {
 
 std::vector<Camera> random_views(const Grid& grid, int count, std::uint64_t seed) {
   Random random(seed);
-  const Camera whole = whole_volume_camera(grid);
-  const double distance = glm::length(whole.eye - whole.target);
+  Camera view;
+  view.target = grid.origin + 0.5 * grid.box_size();
+  view.up = {0, 0, 1};
+  // The sphere around the box fills the view's height
+  const double distance =
+      0.5 * glm::length(grid.box_size()) / std::sin(glm::radians(0.5 * view.fov_y_degrees));
   std::vector<Camera> views;
   for (int i = 0; i < count; ++i) {
     const double z = random.uniform(-1, 1), turn = random.uniform(0, 2 * std::numbers::pi);
     const double radius = std::sqrt(1 - z * z);
-    Camera view = whole;
-    view.eye = whole.target + distance * glm::dvec3(radius * std::cos(turn), radius * std::sin(turn), z);
+    view.eye = view.target + distance * glm::dvec3(radius * std::cos(turn), radius * std::sin(turn), z);
     views.push_back(view);
   }
   return views;

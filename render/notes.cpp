@@ -1,0 +1,72 @@
+#include "render/notes.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+#include "presets/names.h"
+#include "render/classify/classification.h"
+#include "render/raycaster/need.h"
+
+namespace crest {
+namespace {
+
+constexpr float half_a_step = 0.5F / 255;
+
+bool has_no_value(const Volume& volume) {
+  return volume.statistics.nan_count + volume.statistics.inf_count == volume.grid.point_count();
+}
+
+/// Why a feature is left out; empty where it is not.
+std::string why_without(const FeatureList& features, std::string_view name) {
+  for (const auto& [feature, why] : features.left_out)
+    if (feature == name) return why;
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> scene_notes(const Scene& scene) {
+  const Volume& volume = *scene.volume;
+  if (has_no_value(volume)) return {"No voxel has a value: all are NaN or infinite."};
+  std::vector<std::string> notes;
+  const ValueRange range = volume.statistics.range;
+  if (range.width() == 0)
+    notes.push_back(fmt::format("The volume is constant: every value is {:.6g}.", range.min));
+  if (scene.tf.points.empty()) return notes;
+  const ValueRange span = scene.tf.span();
+  if (span.max < range.min || span.min > range.max)
+    notes.push_back(
+        fmt::format("No point of the transfer function, from {:.6g} to {:.6g}, lies in the volume's range, "
+                    "from {:.6g} to {:.6g}: mapping it onto the range (--fit-range) would show it.",
+                    span.min, span.max, range.min, range.max));
+  return notes;
+}
+
+bool has_visible_pixel(const Image& image, glm::vec3 background) {
+  return std::ranges::any_of(image.pixels, [&](const glm::vec4& pixel) {
+    const glm::vec3 change = glm::vec3(pixel) - pixel.a * background;
+    return !(glm::all(glm::lessThan(glm::abs(change), glm::vec3(half_a_step))));
+  });
+}
+
+std::string why_nothing_is_visible(const Scene& scene, const Camera& camera, glm::ivec2 size) {
+  const FeatureList features =
+      find_need(*scene.volume, classify(scene.tf, surface_range(scene)), scene.rendering, camera, size, false)
+          .list;
+  const std::string no_dvr = why_without(features, "dvr"), no_peaks = why_without(features, "peaks");
+  std::string why = "all that its rays meet is transparent, or has the background's colour";
+  if (!no_dvr.empty() && !no_peaks.empty())
+    why = no_dvr == no_peaks ? no_dvr : fmt::format("{}, and {}", no_dvr, no_peaks);
+  return fmt::format("No pixel of {} is visible: {}.", name_of(scene.rendering.mode), why);
+}
+
+std::vector<std::string> picture_notes(const Scene& scene, const Camera& camera, const Image& image) {
+  std::vector<std::string> notes = scene_notes(scene);
+  if (!has_no_value(*scene.volume) && !has_visible_pixel(image, glm::vec3(scene.rendering.background)))
+    notes.push_back(why_nothing_is_visible(scene, camera, image.size));
+  return notes;
+}
+
+}  // namespace crest
