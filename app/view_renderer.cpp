@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 
+#include "presets/choices.h"
 #include "render/measure/timing.h"
 #include "render/notes.h"
 #include "render/scene/limits.h"
@@ -23,9 +24,11 @@ constexpr int count_coarseness = 8;
 
 glm::ivec2 coarse_size(glm::ivec2 size, int coarseness) { return (size + coarseness - 1) / coarseness; }
 
-/// A coarse picture also steps further, within what still isolates most crossings.
+/// A coarse picture also steps further, within what still isolates most crossings; not where a table would
+/// have to be made for that step.
 Scene coarse_scene(Scene scene, int coarseness) {
-  if (coarseness > 1) scene.rendering.step = std::max(scene.rendering.step, coarseness > 4 ? 2.0 : 1.0);
+  if (coarseness > 1 && !holds_one_length(scene.rendering.classification))
+    scene.rendering.step = std::max(scene.rendering.step, coarseness > 4 ? 2.0 : 1.0);
   return scene;
 }
 
