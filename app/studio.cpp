@@ -29,12 +29,11 @@ Preset without_camera(Preset preset) {
 
 }  // namespace
 
-Studio::Studio(Document document, std::shared_ptr<const Volume> volume, std::filesystem::path shader_folder)
+Studio::Studio(Document document, FitPreset fit, std::filesystem::path shader_folder)
     : document_(std::move(document)),
       saved_(document_.preset),
-      loaded_{document_.volume_source, std::move(volume)},
+      fit_(std::move(fit)),
       views_(std::move(shader_folder), program_folder()) {
-  if (loaded_.volume) recent_.add(loaded_.source);
   if (document_.volume_source.empty())
     say("Open a volume: Ctrl+O, the Volume menu, or drop a file on the window");
 }
@@ -67,37 +66,46 @@ std::string Studio::title() const {
 }
 
 void Studio::start_loading(const std::string& source) {
-  if (loading_.valid()) {
-    next_source_ = source;
-    return say(fmt::format("Reading {}, then {} ...", loading_source_, source));
-  }
-  loading_source_ = source;
-  say(fmt::format("Reading {} ...", source));
-  loading_ = std::async(std::launch::async, [source] {
-    return Loaded{source, std::make_shared<const Volume>(load_volume(source))};
-  });
+  loading_for_document_ = false;
+  say("");
+  loader_.start(source);
+}
+
+void Studio::cancel_loading() {
+  if (!is_loading()) return;
+  say(fmt::format("{} is not read", loader_.source()));
+  loader_.cancel();
+  document_.volume_source = loaded_.source;
+}
+
+void Studio::show(Loaded fresh) {
+  Preset preset = document_.preset;
+  if (fit_) preset = fit_(std::move(preset), *fresh.volume, view_aspect_);
+  views_.renderer().hold(fresh.volume);  // the driver must hold it, too
+  const bool was_saved = !has_unsaved_changes();
+  document_.preset = std::move(preset);
+  if (was_saved) saved_ = document_.preset;
+  fit_ = nullptr;
+  loaded_ = std::move(fresh);
+  if (!loading_for_document_) document_.volume_source = loaded_.source;
+  recent_.add(loaded_.source);
+  const Volume& volume = *loaded_.volume;
+  const glm::ivec3 dims = volume.grid.dims;
+  say(fmt::format("{}: {}x{}x{} {}{}{}", volume.name, dims.x, dims.y, dims.z, name_of(volume.file_type),
+                  volume.note.empty() ? "" : ", ", volume.note));
 }
 
 void Studio::take_loaded_volume() {
-  if (!loading_.valid() || loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  auto result = loader_.take();
+  if (!result) return;
   try {
-    Loaded fresh = loading_.get();
-    views_.renderer().hold(fresh.volume);  // the driver must hold it, too
-    loaded_ = std::move(fresh);
-    if (!loading_for_undo_) document_.volume_source = loaded_.source;
-    recent_.add(loaded_.source);
-    const glm::ivec3 dims = loaded_.volume->grid.dims;
-    say(fmt::format("{}: {}x{}x{} {}{}{}", loaded_.volume->name, dims.x, dims.y, dims.z,
-                    name_of(loaded_.volume->file_type), loaded_.volume->note.empty() ? "" : ", ",
-                    loaded_.volume->note));
+    if (!result->volume) throw Error(result->error);
+    show({result->source, std::move(result->volume)});
   } catch (const std::exception& error) {
     // What was there stays
-    if (document_.volume_source == loading_source_) document_.volume_source = loaded_.source;
+    if (document_.volume_source == result->source) document_.volume_source = loaded_.source;
     say(error.what(), true);
   }
-  loading_source_.clear();
-  loading_for_undo_ = false;
-  if (next_source_) start_loading(*std::exchange(next_source_, std::nullopt));
 }
 
 void Studio::open_preset(const std::string& name_or_path) {
@@ -144,6 +152,7 @@ void Studio::handle(const StudioRequests& requests) {
   }
   if (requests.open_preset) open_preset(*requests.open_preset);
   if (requests.save_preset) save_preset_to(*requests.save_preset);
+  if (requests.cancel_loading) cancel_loading();
   if (requests.open_volume) start_loading(*requests.open_volume);
   if (requests.reload_shaders) {
     views_.renderer().resources().programs.reload();
@@ -156,6 +165,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   StudioInputs inputs;
   inputs.unsaved_changes = has_unsaved_changes();
   inputs.close_requested = close_requested;
+  if (is_loading()) inputs.loading = loader_.source();
   inputs.message = message_;
   inputs.message_is_error = message_is_error_;
   inputs.recent = recent_.list();
@@ -209,10 +219,12 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   }
   const StudioRequests requests = studio_frame(document_, *ui_, shown);
   handle(requests);
-  // Undo can bring back another volume
-  if (!loading_.valid() && document_.volume_source != loaded_.source && !document_.volume_source.empty()) {
+  for (const glm::ivec2 size : requests.view_pixels)
+    if (size.x > 0) view_aspect_ = aspect_of(size);
+  // At the start nothing is loaded, and undo can bring back another volume
+  if (!is_loading() && document_.volume_source != loaded_.source && !document_.volume_source.empty()) {
     start_loading(document_.volume_source);
-    loading_for_undo_ = true;
+    loading_for_document_ = true;
   }
   views_.work(view_requests(requests), render_ms, interactive);
   tell_view_error();

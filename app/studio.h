@@ -2,7 +2,7 @@
 
 #include <array>
 #include <filesystem>
-#include <future>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +10,7 @@
 #include "app/background_sweep.h"
 #include "app/recent_files.h"
 #include "app/view_renderer.h"
+#include "app/volume_loader.h"
 #include "ui/studio.h"
 
 namespace crest {
@@ -18,8 +19,10 @@ namespace crest {
 /// GL 4.5 context must be current throughout.
 class Studio {
  public:
-  /// `volume` is what document.volume_source names; null when that is empty.
-  Studio(Document document, std::shared_ptr<const Volume> volume, std::filesystem::path shader_folder);
+  /// Makes of a preset what the command line said for a volume, in views of this aspect (width by height).
+  using FitPreset = std::function<Preset(Preset preset, const Volume& volume, double aspect)>;
+  /// What document.volume_source names is read once there is a frame. `fit` is called for the first volume.
+  Studio(Document document, FitPreset fit, std::filesystem::path shader_folder);
 
   /// One frame: draws the panels (between Dear ImGui's NewFrame and Render), does what the person asked for,
   /// and works on the views for about `render_ms`.
@@ -29,7 +32,9 @@ class Studio {
   void open(const std::string& source);
 
   bool wants_to_quit() const { return quit_; }
-  bool is_loading() const { return loading_.valid(); }  ///< a volume is being read
+  bool is_loading() const { return loader_.is_loading(); }  ///< a volume is being read
+  /// Whether a thread reads on, although nobody waits for it: VolumeLoader::has_thread.
+  bool leaves_thread() const { return loader_.has_thread(); }
   bool is_drawing() const { return views_.is_busy(); }  ///< a view is not done
   /// Something of the measurement in the background may come up soon, has come up.
   bool is_measuring() const { return sweep_.is_active(); }
@@ -47,7 +52,9 @@ class Studio {
   };
 
   void start_loading(const std::string& source);
+  void cancel_loading();
   void take_loaded_volume();
+  void show(Loaded fresh);
   void open_preset(const std::string& name_or_path);
   void save_preset_to(const std::filesystem::path& path);
   void handle(const StudioRequests& requests);
@@ -61,10 +68,10 @@ class Studio {
   Document document_;
   Preset saved_;  ///< as the file has it
   Loaded loaded_;
-  std::string loading_source_;
-  bool loading_for_undo_ = false;           ///< the document names it already
-  std::optional<std::string> next_source_;  ///< asked for while another one is read
-  std::future<Loaded> loading_;
+  VolumeLoader loader_;
+  bool loading_for_document_ = false;  ///< which names it already: at the start, and after an undo
+  FitPreset fit_;                      ///< empty once it was called
+  double view_aspect_ = 1;
   StudioStatePtr ui_ = make_studio_state();
   ViewRenderer views_;
   BackgroundSweep sweep_;

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <cstdlib>
 #include <thread>
 
 #include "app/commands.h"
@@ -28,23 +29,32 @@ constexpr double resting_ms = 80;
 constexpr double rest_after_s = 0.25;  ///< since the last input
 constexpr int settling_frames = 3;     ///< that Dear ImGui takes to show what an input did
 
-Document initial_document(const StudioOptions& options, const Volume* volume) {
+Document initial_document(const StudioOptions& options) {
   Document document;
   document.volume_source = options.scene.volume;
-  document.preset = volume ? options.scene.read_preset(*volume, 1) : options.scene.read_preset();
+  document.preset = options.scene.read_preset();
   if (std::filesystem::exists(options.scene.preset)) document.preset_path = options.scene.preset;
   return document;
 }
 
-void run_window(const StudioOptions& options) {
+bool is_file_or_folder(const std::string& source) {
+  std::error_code ignored;
+  return std::filesystem::exists(source.substr(0, source.find('?')), ignored) ||
+         std::filesystem::exists(source, ignored);
+}
+
+/// The window until it is closed. Returns whether a thread still reads a volume.
+bool run_window(const StudioOptions& options) {
   using Clock = std::chrono::steady_clock;
-  std::shared_ptr<const Volume> volume;
-  if (!options.scene.volume.empty())
-    volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
-  Document document = initial_document(options, volume.get());
+  Document document = initial_document(options);
   Window window("Crest", 1720, 1160);
   apply_style(window.content_scale());
-  Studio studio(std::move(document), std::move(volume), options.shader_folder);
+  Studio studio(
+      std::move(document),
+      [scene = options.scene](Preset preset, const Volume& volume, double aspect) {
+        return scene.for_volume(std::move(preset), volume, aspect);
+      },
+      options.shader_folder);
   FrameLog log;
   LayoutFile layout(options.layout_file);
   Clock::time_point last_input = Clock::now();
@@ -76,12 +86,22 @@ void run_window(const StudioOptions& options) {
     layout.update(studio);
   }
   if (!options.frame_log.empty()) write_file_atomically(options.frame_log, log.summary());
+  return studio.leaves_thread();
+}
+
+/// A reader cannot be stopped, and quitting does not wait for it: the program then ends without taking apart
+/// what the reader uses.
+void open_studio(const StudioOptions& options) {
+  // What is not there is told before a window opens, as reading it does
+  if (const std::string& source = options.scene.volume;
+      !source.empty() && !source.starts_with("builtin:") && !is_file_or_folder(source))
+    load_volume(source);
+  if (run_window(options)) std::_Exit(0);
 }
 
 /// A word that stands alone could be a mistyped command.
 void expect_volume(const std::string& source) {
-  const std::string file = source.substr(0, source.find('?'));
-  if (source.find_first_of("./:?") == source.npos && !std::filesystem::exists(file))
+  if (source.find_first_of("./:?") == source.npos && !is_file_or_folder(source))
     throw UsageError("VOLUME", fmt::format("'{}' is neither a command nor a file or folder", source));
 }
 
@@ -115,7 +135,7 @@ void add_studio(Options app, Action& chosen) {
   app.when_read([options, &chosen, app] {
     if (app.has_command()) return;
     if (!options->scene.volume.empty()) expect_volume(options->scene.volume);
-    chosen = [options] { has_display() ? run_window(*options) : run_without_display(*options); };
+    chosen = [options] { has_display() ? open_studio(*options) : run_without_display(*options); };
   });
 }
 

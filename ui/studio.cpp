@@ -122,7 +122,7 @@ bool studio_window(Document& document, StudioState& state, const StudioInputs& i
   const float status = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
   const float height = std::max(ImGui::GetContentRegionAvail().y - status, 1.0F);
   const bool changed = main_area(document, state, inputs, requests, height);
-  status_bar(state, inputs);
+  status_bar(state, inputs, requests);
   ImGui::End();
   return changed;
 }

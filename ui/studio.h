@@ -42,6 +42,7 @@ struct StudioInputs {
   std::span<const Peak> surfaces;  ///< those that are shown as surfaces
   std::array<ViewPicture, view_count> views;
   const AccuracyResults* accuracy = nullptr;  ///< null while nothing was ever measured
+  std::string loading;                        ///< the volume that is being read; empty while none is
   std::string message;                        ///< the last news or error, one line
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
@@ -54,6 +55,7 @@ struct StudioInputs {
 struct StudioRequests {
   std::optional<std::string> open_volume;
   std::optional<std::string> open_preset;  ///< a file, or a name from the library
+  bool cancel_loading = false;
   bool new_preset = false;
   /// To be done before quitting; when it fails, the program does not quit.
   std::optional<std::filesystem::path> save_preset;

@@ -98,7 +98,8 @@ void picture(const StudioState& state, const StudioInputs& inputs, const ViewPic
   list.PushClipRect(low, high, true);
   if (inputs.volume && state.views.outline) draw_outline(list, camera, inputs.volume->grid, low, size);
   if (!inputs.volume) {
-    const char* hint = "Volume > Open, or drop a file here";
+    const char* hint =
+        inputs.loading.empty() ? "Volume > Open, or drop a file here" : "Reading the volume ...";
     const ImVec2 text = ImGui::CalcTextSize(hint);
     list.AddText({low.x + (size.x - text.x) / 2, low.y + (size.y - text.y) / 2}, palette::faint, hint);
   }

@@ -262,6 +262,24 @@ TEST_F(Views, AWarningStandsInItsViewAlone) {
   EXPECT_EQ(ImGui::GetDrawData()->CmdListsCount, quiet);
 }
 
+TEST_F(Views, WhatIsReadIsToldAndCanBeCancelled) {
+  EXPECT_FALSE(has("cancel loading"));
+  inputs.loading = "large.nrrd";
+  frames(2);
+  EXPECT_FALSE(requests.cancel_loading);
+  bool cancelled = false;
+  const ImVec2 place = center_of("cancel loading");
+  move_to(place);
+  ImGui::GetIO().MouseDown[0] = true;
+  cancelled |= frame().cancel_loading;
+  ImGui::GetIO().MouseDown[0] = false;
+  cancelled |= frame().cancel_loading;
+  EXPECT_TRUE(cancelled);
+  inputs.loading.clear();
+  frame();
+  EXPECT_FALSE(has("cancel loading"));
+}
+
 TEST_F(Hostile, NoVolume) {
   inputs.volume = nullptr;
   document.preset.rendering.clip_box = ClipBox{};

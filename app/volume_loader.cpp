@@ -1,0 +1,51 @@
+#include "app/volume_loader.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <new>
+#include <thread>
+#include <utility>
+
+#include "render/files/load.h"
+
+namespace crest {
+
+struct VolumeLoader::Job {
+  Result result;
+  std::atomic<bool> is_done = false;
+};
+
+VolumeLoader::VolumeLoader() : VolumeLoader([](const std::string& source) { return load_volume(source); }) {}
+
+VolumeLoader::VolumeLoader(Read read) : read_(std::move(read)) {}
+
+const std::string& VolumeLoader::source() const { return job_->result.source; }
+
+void VolumeLoader::start(const std::string& source) {
+  job_ = std::make_shared<Job>();
+  job_->result.source = source;
+  std::erase_if(threads_, [](const auto& thread) { return thread.expired(); });
+  threads_.push_back(job_);
+  std::thread([job = job_, read = read_, source] {
+    try {
+      job->result.volume = std::make_shared<const Volume>(read(source));
+    } catch (const std::bad_alloc&) {
+      job->result.error = source + ": reading it takes more memory than there is";
+    } catch (const std::exception& error) {
+      job->result.error = error.what();
+    }
+    job->is_done = true;
+  }).detach();
+}
+
+std::optional<VolumeLoader::Result> VolumeLoader::take() {
+  if (!job_ || !job_->is_done) return std::nullopt;
+  return std::move(std::exchange(job_, nullptr)->result);
+}
+
+bool VolumeLoader::has_thread() const {
+  return std::ranges::any_of(threads_, [](const auto& thread) { return !thread.expired(); });
+}
+
+}  // namespace crest

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/volume/volume.h"
+
+namespace crest {
+
+/// Reads volumes beside the window; the one that was asked for last counts. A reader cannot be stopped in the
+/// midst of a library's call: what is no longer wanted is let go, in a thread that holds nothing but its own
+/// data, and what it finds is dropped. No call waits.
+class VolumeLoader {
+ public:
+  using Read = std::function<Volume(const std::string& source)>;
+  /// Reads with load_volume().
+  VolumeLoader();
+  /// `read` is called in other threads, also after the loader is gone.
+  explicit VolumeLoader(Read read);
+
+  struct Result {
+    std::string source;
+    std::shared_ptr<const Volume> volume;  ///< null where it could not be read
+    std::string error;                     ///< why
+  };
+
+  /// Reads this one, in place of what is being read.
+  void start(const std::string& source);
+  /// Lets go of what is being read.
+  void cancel() { job_.reset(); }
+  bool is_loading() const { return job_ != nullptr; }
+  const std::string& source() const;  ///< of what is being read; is_loading() must be true
+  /// What was read, once.
+  std::optional<Result> take();
+
+  /// Whether a thread still reads, wanted or not. A program that ends meanwhile must not take apart what the
+  /// thread uses: std::_Exit.
+  bool has_thread() const;
+
+ private:
+  struct Job;
+  Read read_;
+  std::shared_ptr<Job> job_;                 ///< the one that counts
+  std::vector<std::weak_ptr<Job>> threads_;  ///< each lives as long as its thread
+};
+
+}  // namespace crest
