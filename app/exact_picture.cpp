@@ -14,7 +14,7 @@
 #include "presets/names.h"
 #include "render/classify/classification.h"
 #include "render/notes.h"
-#include "render/scene/limits.h"
+#include "render/scene/float_precision.h"
 
 namespace crest {
 namespace {
@@ -42,11 +42,10 @@ std::vector<ExactPicture> render_exact_pictures(const std::vector<Scene>& scenes
   ProgressBar bar;
   std::vector<ExactPicture> pictures;
   for (const Scene& scene : scenes) {
-    if (const auto illumination = scene.rendering.illumination;
-        illumination != Illumination::semi_transparent)
+    if (const auto blend_mode = scene.rendering.blend_mode; blend_mode != BlendMode::semi_transparent)
       throw Error(
           fmt::format("the exact answer is that of semi_transparent, and rendering.illumination is {}",
-                      name_of(illumination)));
+                      name_of(blend_mode)));
     const Answer answer = answers_of(scene.rendering).front();
     const std::string doing = fmt::format("exact answer {}", name_of(answer));
     const auto progress = [&](double done) {

@@ -9,7 +9,7 @@
 #include "render/measure/tiles.h"
 #include "render/measure/timing.h"
 #include "render/notes.h"
-#include "render/scene/limits.h"
+#include "render/scene/float_precision.h"
 
 namespace crest {
 

@@ -37,8 +37,7 @@ void SceneOptions::add_to(Options options) {
   options.add("--mode", mode, "What a ray collects: " + name_list<Mode>()).type_name("MODE");
   options.add("--engine", engine, "What renders: " + name_list<Engine>()).type_name("ENGINE");
   options
-      .add("--illumination", illumination,
-           "What a sample contributes to its ray: " + name_list<Illumination>())
+      .add("--illumination", illumination, "What a sample contributes to its ray: " + name_list<BlendMode>())
       .type_name("NAME");
   options.add("--step", step, "Step length, in units of the smallest spacing").type_name("STEP");
   options.add("--eye", eye, "Camera: where the eye is (world units)").type_name("X,Y,Z");

@@ -7,7 +7,7 @@
 #include "presets/choices.h"
 #include "render/measure/timing.h"
 #include "render/notes.h"
-#include "render/scene/limits.h"
+#include "render/scene/float_precision.h"
 
 namespace crest {
 namespace {

@@ -76,7 +76,7 @@ void visit_fields(Self& rendering, Field&& field) {
   field("peak_bins", rendering.peak_bins, FieldRule{.min = 1, .max = 4096});
   field("shading", rendering.shading, any_value);
   field("gradient", rendering.gradient, any_value);
-  field("illumination", rendering.illumination, any_value);
+  field("illumination", rendering.blend_mode, any_value);
   field("early_termination", rendering.early_termination, unit_interval);
   field("clip_box", rendering.clip_box, any_value);
   field("background", rendering.background, unit_interval);

@@ -72,13 +72,13 @@ struct EnumNames<Shading> {
   static constexpr Named<Shading> table[] = {{Shading::none, "none"}, {Shading::gradient, "gradient"}};
 };
 template <>
-struct EnumNames<Illumination> {
-  static constexpr Named<Illumination> table[] = {{Illumination::semi_transparent, "semi_transparent"},
-                                                  {Illumination::lookup, "lookup"},
-                                                  {Illumination::iso_surface, "iso_surface"},
-                                                  {Illumination::maximum, "maximum"},
-                                                  {Illumination::minimum, "minimum"},
-                                                  {Illumination::mean, "mean"}};
+struct EnumNames<BlendMode> {
+  static constexpr Named<BlendMode> table[] = {{BlendMode::semi_transparent, "semi_transparent"},
+                                               {BlendMode::lookup, "lookup"},
+                                               {BlendMode::iso_surface, "iso_surface"},
+                                               {BlendMode::maximum, "maximum"},
+                                               {BlendMode::minimum, "minimum"},
+                                               {BlendMode::mean, "mean"}};
 };
 template <>
 struct EnumNames<Domain> {

@@ -32,7 +32,7 @@ enum class Shading { none, gradient };
 /// the TF, of a segment of the step's length (semi_transparent) or as they are (lookup); white and opaque
 /// where the TF has at least half its greatest opacity (iso_surface); or its value as a grey, of which a ray
 /// shows the greatest, the least or the mean.
-enum class Illumination { semi_transparent, lookup, iso_surface, maximum, minimum, mean };
+enum class BlendMode { semi_transparent, lookup, iso_surface, maximum, minimum, mean };
 /// How shading finds a gradient: central differences of the field, or the filter's own derivative.
 enum class Gradient { central, filter };
 
@@ -81,7 +81,7 @@ struct Rendering {
   int peak_bins = 128;  ///< bins of the peak table on each axis, 1..4096
   Shading shading = Shading::none;
   Gradient gradient = Gradient::central;
-  Illumination illumination = Illumination::semi_transparent;  ///< others show no surfaces of peaks
+  BlendMode blend_mode = BlendMode::semi_transparent;  ///< others show no surfaces of peaks
   double early_termination = 0;  ///< residual transmittance at which a ray stops; 0 = never
   std::optional<ClipBox> clip_box;
   glm::dvec3 background{0};  ///< display-referred RGB in [0, 1]

@@ -201,14 +201,14 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
         "derivative");
     changed |= choice(widgets, "##gradient", r.gradient, field);
   }
-  row("Illumination",
+  row("Blend mode",
       "What a sample contributes to its ray:\nsemi_transparent - the integral of the transfer "
       "function\nlookup - "
       "its opacity as it is, whatever the step\niso_surface - white and opaque where the transfer function "
       "has half "
       "its greatest opacity\nmaximum, minimum, mean - of the values, as a grey\nAll but the first show no "
       "peaks");
-  changed |= choice(widgets, "##illumination", r.illumination, field);
+  changed |= choice(widgets, "##illumination", r.blend_mode, field);
   row("Early termination", "Residual transmittance at which a ray stops; 0 = never");
   changed |= number_field(widgets, "##early termination", r.early_termination, {0, 1}, field);
   changed |= clip_rows(widgets, r.clip_box, inputs.volume, field);

@@ -25,11 +25,11 @@ Json to_json(const PlaneSeries& series) {
             {"max_order", order_json(series.max_order)},
             {"rms_order", order_json(series.rms_order)},
             {"runs", Json::array()}};
-  for (const PlaneRun& run : series.runs)
-    json["runs"].push_back({{"rate", run.rate},
-                            {"errors", to_json(run.errors)},
-                            {"dense_errors", to_json(run.dense_errors)},
-                            {"intensities", run.intensities}});
+  for (const PlaneMeasurement& m : series.measurements)
+    json["runs"].push_back({{"rate", m.rate},
+                            {"errors", to_json(m.errors)},
+                            {"dense_errors", to_json(m.dense_errors)},
+                            {"intensities", m.intensities}});
   return json;
 }
 
@@ -117,12 +117,12 @@ Json placement_json(const PlacementReport& report) {
 std::string placement_csv(const PlacementReport& report) {
   std::string text = "field,sum,placement,rate,ray,angle_degrees,intensity,exact\n";
   for (const PlaneSeries& series : report.plane.series)
-    for (const PlaneRun& run : series.runs)
+    for (const PlaneMeasurement& m : series.measurements)
       for (const PlaneStudy::Field& field : report.plane.fields)
         for (int ray = 0; field.name == series.field && ray < paper_rays; ++ray)
           text += fmt::format("{},{},{},{},{},{},{},{}\n", series.field, name_of(series.sum),
-                              name_of(series.placement), run.rate, ray, fan_angle_degrees(ray),
-                              run.intensities[std::size_t(ray)], field.exact[std::size_t(ray)]);
+                              name_of(series.placement), m.rate, ray, fan_angle_degrees(ray),
+                              m.intensities[std::size_t(ray)], field.exact[std::size_t(ray)]);
   return text;
 }
 

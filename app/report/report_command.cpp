@@ -87,12 +87,11 @@ Report subject_of(const ReportOptions& options) {
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
   const Preset preset = options.scene.read_preset(*volume, aspect_of(report.size));
   report.scene = make_scene(volume, preset);
-  if (const Illumination illumination = preset.rendering.illumination;
-      illumination != Illumination::semi_transparent)
+  if (const BlendMode blend_mode = preset.rendering.blend_mode; blend_mode != BlendMode::semi_transparent)
     throw Error(
         fmt::format("rendering.illumination is {}, which has no exact answer to measure against: "
                     "a report takes --illumination semi_transparent",
-                    name_of(illumination)));
+                    name_of(blend_mode)));
   report.camera = camera_of(preset, volume->grid, aspect_of(report.size));
   report.subject.command = options.command;
   report.subject.volume = options.scene.volume;

@@ -208,11 +208,11 @@ void study_scaling(VdlsReport& report, Lab& lab) {
 
 /// Figure 10: the post-shaded filters, of the paper's grey ramp; lookup of the surfaces' colours.
 void study_filters(VdlsReport& report, Lab& lab, const VdlsScene& engine) {
-  for (const auto& [illumination, name] : names_of<Illumination>()) {
+  for (const auto& [blend_mode, name] : names_of<BlendMode>()) {
     Scene scene = engine.scene;
-    scene.rendering.illumination = illumination;
-    if (illumination != Illumination::lookup) scene.tf = grey_ramp(scene.volume->statistics.range);
-    if (illumination != Illumination::iso_surface) scene.rendering.shading = Shading::none;
+    scene.rendering.blend_mode = blend_mode;
+    if (blend_mode != BlendMode::lookup) scene.tf = grey_ramp(scene.volume->statistics.range);
+    if (blend_mode != BlendMode::iso_surface) scene.rendering.shading = Shading::none;
     report.filters.push_back(
         {std::string(name), picture_pair(report, lab, fmt::format("filter-{}", name), scene)});
   }

@@ -16,7 +16,7 @@ glm::dvec4 per_spacing(MeanMaterial material, double spacing) {
 }
 
 /// Whether a line of this mean and slope is a material at both of its ends: neither negative nor brighter
-/// than its extinction allows. The line from one end of a stretch with a spike or a step to the other may not
+/// than its extinction allows. The line from one end of a bin with a spike or a step to the other may not
 /// be.
 bool is_material(glm::dvec4 mean, glm::dvec4 slope) {
   const double rounding = 1e-6 * mean.a;
@@ -29,10 +29,10 @@ bool is_material(glm::dvec4 mean, glm::dvec4 slope) {
 }  // namespace
 
 Antiderivatives build_antiderivatives(const TransferFunction& tf, ValueRange field, double smallest_spacing,
-                                      int stretches) {
+                                      int bins) {
   Antiderivatives result;
   result.range = table_range(pieces_of(tf, field));
-  result.entries.reserve(std::size_t(stretches) + 2);
+  result.entries.reserve(std::size_t(bins) + 2);
   const double spacing = smallest_spacing / tf.unit_distance;
   glm::dvec4 sum(0);
   const auto add = [&](glm::dvec4 mean, glm::dvec4 slope) {
@@ -42,8 +42,8 @@ Antiderivatives build_antiderivatives(const TransferFunction& tf, ValueRange fie
   };
   const auto material_of = [&](const Classified& c) { return per_spacing(mean_material(c, c), spacing); };
   add(material_of(evaluate_right(tf, field.min)), glm::dvec4(0));
-  const std::vector<MeanMaterial> means = mean_materials(tf, result.range, stretches);
-  const double width = result.range.width() / stretches;
+  const std::vector<MeanMaterial> means = mean_materials(tf, result.range, bins);
+  const double width = result.range.width() / bins;
   for (std::size_t i = 0; i < means.size(); ++i) {
     const double begin = result.range.min + double(i) * width, end = result.range.min + double(i + 1) * width;
     const glm::dvec4 mean = per_spacing(means[i], spacing);

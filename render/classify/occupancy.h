@@ -15,17 +15,17 @@ struct Occupancy {
   double share = 1;                 ///< of those that may, of all
 };
 
-/// What a picture shows of a field.
+/// What a picture shows of a field: the materials of a TF, or surfaces at their values, or both.
 struct Shown {
-  const TransferFunction* tf = nullptr;         ///< resolved; null without DVR
-  TableBlur blur = {};                          ///< of its table
-  const std::vector<Peak>* surfaces = nullptr;  ///< by value; null without peaks
+  const TransferFunction* tf = nullptr;         ///< the TF of the DVR, resolved; null without DVR
+  TableBlur blur = {};                          ///< how far the TF's table spreads a value's material
+  const std::vector<Peak>* surfaces = nullptr;  ///< the surfaces, by ascending value; null without peaks
 };
 
-/// Looks up each macrocell in prefix sums over the values, in O(1). Conservative: a macrocell that shows
-/// something is never 0; one that shows nothing may be 1.
+/// Finds the macrocells that may show something, each in O(1) by prefix sums over the values. Conservative: a
+/// macrocell that shows something is never 0, and one that shows nothing may be 1.
 Occupancy find_occupancy(const Macrocells& macrocells, const Shown& shown, ValueRange field);
-/// Where either of two is 1.
+/// Marks the macrocells that either of two marks.
 Occupancy either(Occupancy a, const Occupancy& b);
 
 /// How many steps are joined in each macrocell (Knoll et al. 2009, section 6.2): M = 2/m + 1, rounded down

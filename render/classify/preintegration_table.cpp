@@ -13,14 +13,15 @@
 namespace crest {
 namespace {
 
-/// A stretch of a ray, premultiplied, for both ways along it: what it absorbs does not depend on the way.
-struct Stretch {
+/// What a ray collects where its values go through one bin or several in a row (Engel's slab), premultiplied,
+/// for both ways along it: what it absorbs does not depend on the way.
+struct Slab {
   glm::dvec3 rising{0}, falling{0};
   double transmittance = 1;
 };
 
-/// Of two stretches next to each other, `lower` that of the lower values.
-Stretch join(const Stretch& lower, const Stretch& upper) {
+/// Of two slabs next to each other, `lower` that of the lower values.
+Slab join(const Slab& lower, const Slab& upper) {
   return {lower.rising + lower.transmittance * upper.rising,
           upper.falling + upper.transmittance * lower.falling, lower.transmittance * upper.transmittance};
 }
@@ -50,7 +51,7 @@ std::vector<Bin> bins_of(const TransferFunction& tf, ValueRange range, int count
 /// A bin passed in this length, as if its extinction were even: what lies in front then hides what lies
 /// behind by exp(-depth x), and of a colour that rises along x in [0, 1] by 1, more than the mean remains by
 /// integral of (x - 1/2) depth exp(-depth x).
-Stretch stretch_of(const Bin& bin, double length) {
+Slab slab_of(const Bin& bin, double length) {
   const double depth = bin.mean.a * length, alpha = -std::expm1(-depth);
   const double shift = depth < 1e-3 ? -depth * depth / 12 * (1 - depth / 2)
                                     : (alpha - depth * (1 - alpha)) / depth - alpha / 2;
@@ -60,17 +61,17 @@ Stretch stretch_of(const Bin& bin, double length) {
 
 /// All segments over `k` bins: from value i to value i + k and back.
 void fill_diagonal(PreintegrationTable& table, const std::vector<Bin>& row, double length, std::size_t k) {
-  const std::size_t bins = std::size_t(table.bins), pieces = row.size();
-  // In blocks of k pieces: all of a block up to a piece, and all from it on
-  std::vector<Stretch> up_to(pieces), from(pieces);
-  for (std::size_t i = 0; i < pieces; ++i) {
-    const Stretch piece = from[i] = stretch_of(row[i], length / double(k));
-    up_to[i] = i % k == 0 ? piece : join(up_to[i - 1], piece);
+  const std::size_t bins = std::size_t(table.bins), slabs = row.size();
+  // In blocks of k slabs: all of a block up to a slab, and all from it on
+  std::vector<Slab> up_to(slabs), from(slabs);
+  for (std::size_t i = 0; i < slabs; ++i) {
+    const Slab slab = from[i] = slab_of(row[i], length / double(k));
+    up_to[i] = i % k == 0 ? slab : join(up_to[i - 1], slab);
   }
-  for (std::size_t i = pieces - 1; i-- > 0;)
+  for (std::size_t i = slabs - 1; i-- > 0;)
     if ((i + 1) % k != 0) from[i] = join(from[i], from[i + 1]);
   for (std::size_t i = 0; i + k < bins; ++i) {
-    const Stretch whole = i % k == 0 ? up_to[i + k - 1] : join(from[i], up_to[i + k - 1]);
+    const Slab whole = i % k == 0 ? up_to[i + k - 1] : join(from[i], up_to[i + k - 1]);
     const double alpha = 1 - whole.transmittance;
     table.entries[(i + k) * bins + i] = glm::vec4(whole.rising, alpha);
     table.entries[i * bins + i + k] = glm::vec4(whole.falling, alpha);
@@ -93,8 +94,8 @@ PreintegrationTable build_preintegration_table(const TransferFunction& tf, Value
     const double value = i + 1 == size ? table.range.max
                                        : table.range.min + table.range.width() * double(i) / double(size - 1);
     const Classified material = i + 1 == size ? evaluate_left(tf, value) : evaluate(tf, value);
-    const Stretch stretch = stretch_of({mean_material(material, material)}, unit_distances);
-    table.entries[i * size + i] = glm::vec4(stretch.rising, 1 - stretch.transmittance);
+    const Slab slab = slab_of({mean_material(material, material)}, unit_distances);
+    table.entries[i * size + i] = glm::vec4(slab.rising, 1 - slab.transmittance);
   }
   const std::vector<Bin> row = bins_of(tf, table.range, bins - 1);
   tbb::parallel_for(std::size_t(1), size,

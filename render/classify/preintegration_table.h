@@ -23,13 +23,13 @@ struct PreintegrationTable {
 
 inline constexpr int largest_preintegration_table = 2048;
 
-/// Builds it in O(bins^2), as Lum et al. 2004 along the diagonals: segments over k bins are k pieces, each
-/// over one bin and a k-th of the length, and the pieces of a diagonal are the same for all its segments. A
-/// piece takes its bin's mean emission and extinction (mean_material.h), so that a spike narrower than a bin
+/// Builds it in O(bins^2), as Lum et al. 2004 along the diagonals: segments over k bins are k slabs, each
+/// over one bin and a k-th of the length, and the slabs of a diagonal are the same for all its segments. A
+/// slab takes its bin's mean emission and extinction (mean_material.h), so that a spike narrower than a bin
 /// keeps its integral, and opacity is exact; colour is exact to second order in the bins' width.
 ///
-/// Where Lum et al. take a piece off the front of a running product, by division, this joins the end of one
-/// block of k pieces to the beginning of the next: "over" is associative but, behind an opaque piece, has
+/// Where Lum et al. take a slab off the front of a running product, by division, this joins the end of one
+/// block of k slabs to the beginning of the next: "over" is associative but, behind an opaque slab, has
 /// no inverse. Runs on all cores. `tf` is resolved. Throws Error for bins outside
 /// 2..largest_preintegration_table.
 PreintegrationTable build_preintegration_table(const TransferFunction& tf, ValueRange field,

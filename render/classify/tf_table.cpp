@@ -38,7 +38,7 @@ struct Corner {
   double value, bend;
 };
 
-/// The most that the corners within any stretch of values add up to.
+/// The most that the corners within any range of values add up to.
 double most_bend_within(const std::vector<Corner>& corners, double width) {
   double most = 0, sum = 0;
   for (std::size_t first = 0, past = 0; first < corners.size(); sum -= corners[first++].bend) {

@@ -1,22 +1,17 @@
 #include "render/gl/display_texture.h"
 
 #include "render/gl/program.h"
+#include "render/gl/texture.h"
 
 namespace crest::gl {
 
 DisplayTexture::DisplayTexture(glm::ivec2 size) : size_(size) {
-  GLuint id = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &id);
-  texture_ = TextureHandle(id);
-  glTextureStorage2D(id, 1, GL_RGBA8, size.x, size.y);
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  texture_ = make_texture(GL_TEXTURE_2D, GL_LINEAR);
+  glTextureStorage2D(texture_.id(), 1, GL_RGBA8, size.x, size.y);
   GLuint framebuffer = 0;
   glCreateFramebuffers(1, &framebuffer);
   framebuffer_ = FramebufferHandle(framebuffer);
-  glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, id, 0);
+  glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture_.id(), 0);
 }
 
 Presenter::Presenter() : program_(build_fullscreen_program("present.frag", {})) {

@@ -6,19 +6,14 @@
 
 #include "presets/error.h"
 #include "render/gl/errors.h"
+#include "render/gl/texture.h"
 
 namespace crest::gl {
 namespace {
 
 TextureHandle make_texture(glm::ivec2 size, GLenum format) {
-  GLuint id = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &id);
-  TextureHandle texture(id);
-  glTextureStorage2D(id, 1, format, size.x, size.y);
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  TextureHandle texture = gl::make_texture(GL_TEXTURE_2D, GL_NEAREST);
+  glTextureStorage2D(texture.id(), 1, format, size.x, size.y);
   return texture;
 }
 

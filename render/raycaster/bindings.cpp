@@ -9,7 +9,7 @@
 #include "render/resources/preintegration_textures.h"
 #include "render/resources/table_textures.h"
 #include "render/resources/volume_texture.h"
-#include "render/shader_inputs/illumination.h"
+#include "render/shader_inputs/blend_mode.h"
 
 namespace crest {
 namespace {
@@ -60,10 +60,10 @@ void bind_macrocells(const Binding& b) {
 }
 
 void bind_antiderivatives(const Binding& b, const TransferFunction& tf, ValueRange field) {
-  const int stretches = b.need.tf_table.entries - 1;
-  const auto& table = antiderivatives_texture(b.held, tf, field, b.spacing, stretches);
+  const int bins = b.need.tf_table.entries - 1;
+  const auto& table = antiderivatives_texture(b.held, tf, field, b.spacing, bins);
   bind_texture(b, tf_unit, "antiderivatives", table.texture.id());
-  set(b.program, "antiderivatives_min_scale", glm::vec2(table.range.min, stretches / table.range.width()));
+  set(b.program, "antiderivatives_min_scale", glm::vec2(table.range.min, bins / table.range.width()));
 }
 
 void bind_preintegration(const Binding& b, const TransferFunction& tf, ValueRange field) {
@@ -129,7 +129,7 @@ void bind_scene(KeyedCache& held, const Scene& scene, const Classification& clas
   if (uses_filter(features, Filter::bc)) set_bc_weights(program, scene.rendering);
   if (features.skipping || features.adaptive) bind_macrocells(b);
   if (features.dvr) bind_tf(b);
-  if (features.illumination != Illumination::semi_transparent) bind_illumination(program, scene, b.units);
+  if (features.blend_mode != BlendMode::semi_transparent) bind_blend_mode(program, scene, b.units);
   if (features.peaks) bind_peaks(b);
   // What is forced in does not show
   set(program, "max_peaks", scene.rendering.max_peaks);

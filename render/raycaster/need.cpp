@@ -9,9 +9,9 @@
 #include "presets/error.h"
 #include "render/classify/antiderivatives.h"
 #include "render/classify/peak_table.h"
-#include "render/raycaster/scenery.h"
+#include "render/raycaster/scene_facts.h"
 #include "render/scene/view.h"
-#include "render/shader_inputs/illumination.h"
+#include "render/shader_inputs/blend_mode.h"
 #include "render/volume/macrocells.h"
 
 namespace crest {
@@ -20,11 +20,11 @@ namespace {
 /// Some drivers (Mesa's llvmpipe) end all loops of one invocation together after 65,535 rounds, in silence.
 constexpr int most_loop_rounds = 60000;
 
-int intervals_of(const Scenery& s, const Features& features) {
+int intervals_of(const SceneFacts& s, const Features& features) {
   return int(std::min(s.steps.most + 2.0 * s.spans(features), 2e9));
 }
 
-int intervals_per_pass(const Scenery& s, const Features& features) {
+int intervals_per_pass(const SceneFacts& s, const Features& features) {
   const int candidates = features.peak_table      ? std::max(int(s.surfaces().size()), 1)
                          : features.several_peaks ? most_listed_peaks
                                                   : 1;
@@ -36,8 +36,8 @@ int intervals_per_pass(const Scenery& s, const Features& features) {
 /// Takes the features one after the other: each may depend on those before it.
 class Decision {
  public:
-  Decision(const Scenery& scenery, const Forced& forced, const OccupiedShare& occupied_share)
-      : s_(scenery), forced_(forced), occupied_share_(occupied_share) {}
+  Decision(const SceneFacts& facts, const Forced& forced, const OccupiedShare& occupied_share)
+      : s_(facts), forced_(forced), occupied_share_(occupied_share) {}
   Need make(bool statistics);
 
  private:
@@ -57,7 +57,7 @@ class Decision {
   void decide_rays(bool statistics);
   void write_list();
 
-  const Scenery& s_;
+  const SceneFacts& s_;
   const Forced& forced_;
   const OccupiedShare& occupied_share_;
   Need need_;
@@ -126,7 +126,7 @@ constexpr double most_occupied = 0.5;
 
 std::string Decision::why_no_skipping() const {
   if (!s_.rendering.skipping) return "rendering.skipping is false";
-  if (shows_values(need_.needed.illumination)) return s_.illumination();
+  if (shows_values(need_.needed.blend_mode)) return s_.blend_mode();
   if (!occupied_share_) return "no macrocells are known";
   const double share = occupied_share_(need_.needed, need_.tf_blur);
   return share <= most_occupied ? ""
@@ -139,7 +139,7 @@ void Decision::decide_steps() {
   decide(&Features::differential, sampling == Sampling::differential ? "" : name, false);
   decide(&Features::footprint, sampling == Sampling::footprint ? "" : name, false);
   decide(&Features::adaptive, s_.rendering.adaptive ? "" : "rendering.adaptive is false", false);
-  decide(&Features::skipping, why_no_skipping(), !shows_values(need_.needed.illumination));
+  decide(&Features::skipping, why_no_skipping(), !shows_values(need_.needed.blend_mode));
   if (has_equal_steps(sampling)) need_.features.placement = need_.needed.placement = s_.rendering.placement;
 }
 
@@ -167,10 +167,10 @@ void Decision::decide_rays(bool statistics) {
       decide(feature, "nothing is sampled", false);
   decide(&Features::clip_box, s_.why_no_clip_box(), false);
   decide(&Features::shading,
-         if_sampled(shows_values(need_.needed.illumination) ? s_.illumination()
-                    : takes_gradient(s_.rendering.shading)  ? ""
-                                                            : "rendering.shading is none"),
-         !shows_values(need_.needed.illumination));
+         if_sampled(shows_values(need_.needed.blend_mode)  ? s_.blend_mode()
+                    : takes_gradient(s_.rendering.shading) ? ""
+                                                           : "rendering.shading is none"),
+         !shows_values(need_.needed.blend_mode));
   decide(&Features::filter_gradient, if_sampled(s_.why_no_filter_gradient(need_.features)),
          need_.features.shading && !need_.needed.shading);
   decide(&Features::empty_cells, if_sampled(s_.why_no_empty_cells()));
@@ -212,7 +212,7 @@ Need Decision::make(bool statistics) {
   need_.visible = nothing.empty();
   if (need_.visible) {
     decide(&Features::dvr, s_.why_no_dvr());
-    if (need_.needed.dvr) need_.features.illumination = need_.needed.illumination = s_.rendering.illumination;
+    if (need_.needed.dvr) need_.features.blend_mode = need_.needed.blend_mode = s_.rendering.blend_mode;
     decide_peaks();
     decide_forms();
     decide_tf_table();
@@ -239,16 +239,16 @@ Need find_need(const Volume& volume, const Classification& classification, const
   if (const std::string why_not = why_inconsistent(rendering); !why_not.empty()) throw Error(why_not);
   const Box box = rendered_box(volume.grid, rendering.clip_box);
   const double spacing = volume.grid.smallest_spacing();
-  const Scenery scenery{volume.grid,
-                        volume.statistics,
-                        classification,
-                        rendering,
-                        camera,
-                        size,
-                        box,
-                        longest_ray(camera, box) / spacing,
-                        step_lengths(rendering, camera, size, box, spacing)};
-  return Decision(scenery, forced, occupied_share).make(statistics);
+  const SceneFacts facts{volume.grid,
+                         volume.statistics,
+                         classification,
+                         rendering,
+                         camera,
+                         size,
+                         box,
+                         longest_ray(camera, box) / spacing,
+                         step_lengths(rendering, camera, size, box, spacing)};
+  return Decision(facts, forced, occupied_share).make(statistics);
 }
 
 std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Classification& classification) {

@@ -5,7 +5,7 @@
 #include "render/resources/classification.h"
 #include "render/resources/macrocell_texture.h"
 #include "render/scene/camera.h"
-#include "render/shader_inputs/illumination.h"
+#include "render/shader_inputs/blend_mode.h"
 #include "render/shader_inputs/view_uniforms.h"
 
 namespace crest {
@@ -77,7 +77,7 @@ void Raycaster::draw_passes(const Scene& scene, const Camera& camera, const gl::
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
-  set_blending(needs.features.illumination, false);
+  set_blending(needs.features.blend_mode, false);
   glBindVertexArray(vertex_array_.id());
   glUseProgram(id);
   for (int pass = 0; pass < needs.passes(); ++pass) {

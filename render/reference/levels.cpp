@@ -17,26 +17,26 @@ Value<Real> value_of(double v) {
 double capped(double opacity) { return std::min(opacity, opacity_cap); }
 
 template <class Real>
-Stretch<Real> make_stretch(double width, Classified low, Classified high) {
-  Stretch<Real> stretch;
-  stretch.width = Real(width);
-  stretch.opacity_low = Real(capped(low.opacity));
-  stretch.opacity_high = Real(capped(high.opacity));
-  stretch.color_low = low.color;
-  stretch.color_high = high.color;
-  stretch.is_clear = stretch.opacity_low == 0 && stretch.opacity_high == 0;
-  stretch.is_constant = stretch.is_clear || (stretch.opacity_low == stretch.opacity_high &&
-                                             stretch.color_low == stretch.color_high);
-  return stretch;
+LinearPiece<Real> make_linear(double width, Classified low, Classified high) {
+  LinearPiece<Real> linear;
+  linear.width = Real(width);
+  linear.opacity_low = Real(capped(low.opacity));
+  linear.opacity_high = Real(capped(high.opacity));
+  linear.color_low = low.color;
+  linear.color_high = high.color;
+  linear.is_clear = linear.opacity_low == 0 && linear.opacity_high == 0;
+  linear.is_constant =
+      linear.is_clear || (linear.opacity_low == linear.opacity_high && linear.color_low == linear.color_high);
+  return linear;
 }
 
-/// Adds the stretch between two values, in two where its opacity passes the cap. There the level is so near
-/// to the end of the stretch that it is kept as a difference from that.
+/// Adds the linear piece between two values, in two where its opacity passes the cap. There the level is so
+/// near to the end of the piece that it is kept as a difference from that.
 template <class Real>
-void add_stretch(Levels<Real>& result, double from, Classified low, double to, Classified high) {
+void add_linear(Levels<Real>& result, double from, Classified low, double to, Classified high) {
   const double width = to - from;
   if ((low.opacity > opacity_cap) == (high.opacity > opacity_cap)) {
-    result.stretches.push_back(make_stretch<Real>(width, low, high));
+    result.pieces.push_back(make_linear<Real>(width, low, high));
     return;
   }
   const bool rises = high.opacity > opacity_cap;
@@ -45,9 +45,9 @@ void add_stretch(Levels<Real>& result, double from, Classified low, double to, C
   const Classified at_cap{glm::mix(top.color, foot.color, from_top), opacity_cap};
   const double offset = width * from_top, first_width = rises ? width - offset : offset;
   Value<Real> place = exact_sum(Real(rises ? to : from), Real(rises ? -offset : offset));
-  result.stretches.push_back(make_stretch<Real>(first_width, low, at_cap));
+  result.pieces.push_back(make_linear<Real>(first_width, low, at_cap));
   result.levels.push_back({.value = place, .color = at_cap.color, .opacity = Real(opacity_cap)});
-  result.stretches.push_back(make_stretch<Real>(width - first_width, at_cap, high));
+  result.pieces.push_back(make_linear<Real>(width - first_width, at_cap, high));
 }
 
 template <class Real>
@@ -55,7 +55,7 @@ void find_visible(Levels<Real>& result) {
   const std::size_t count = 2 * result.levels.size() + 1;
   result.next_visible.assign(count + 1, count);
   for (std::size_t i = count; i-- > 0;) {
-    const bool is_clear = i % 2 ? result.levels[i / 2].opacity == 0 : result.stretches[i / 2].is_clear;
+    const bool is_clear = i % 2 ? result.levels[i / 2].opacity == 0 : result.pieces[i / 2].is_clear;
     result.next_visible[i] = is_clear ? result.next_visible[i + 1] : i;
   }
 }
@@ -63,7 +63,7 @@ void find_visible(Levels<Real>& result) {
 }  // namespace
 
 template <class Real>
-std::size_t Levels<Real>::stretch_at(Value<Real> value) const {
+std::size_t Levels<Real>::piece_at(Value<Real> value) const {
   const auto above = std::partition_point(levels.begin(), levels.end(),
                                           [&](const Level<Real>& level) { return level.value - value <= 0; });
   return std::size_t(above - levels.begin());
@@ -78,17 +78,17 @@ bool Levels<Real>::surface_within(Real low, Real high) const {
 
 template <class Real>
 bool Levels<Real>::visible_within(Real low, Real high) const {
-  std::size_t first = 2 * stretch_at({low, 0});
+  std::size_t first = 2 * piece_at({low, 0});
   if (first > 0 && levels[first / 2 - 1].value - Value<Real>{low, 0} == 0) --first;  // the level itself
-  return next_visible[first] <= 2 * stretch_at({high, 0});
+  return next_visible[first] <= 2 * piece_at({high, 0});
 }
 
 template <class Real>
-const Stretch<Real>* Levels<Real>::constant_within(Real low, Real high) const {
-  const std::size_t index = stretch_at({high, 0});
+const LinearPiece<Real>* Levels<Real>::constant_within(Real low, Real high) const {
+  const std::size_t index = piece_at({high, 0});
   const bool begins_at_low = index > 0 && levels[index - 1].value - Value<Real>{low, 0} == 0;
-  if (!stretches[index].is_constant || index != stretch_at({low, 0}) || begins_at_low) return nullptr;
-  return &stretches[index];
+  if (!pieces[index].is_constant || index != piece_at({low, 0}) || begins_at_low) return nullptr;
+  return &pieces[index];
 }
 
 template <class Real>
@@ -108,7 +108,7 @@ Levels<Real> make_levels(TransferFunction tf, std::span<const Peak> surfaces, do
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i == 0) {
       const Classified below = evaluate_left(tf, values[0]);
-      result.stretches.push_back(make_stretch<Real>(0, below, below));
+      result.pieces.push_back(make_linear<Real>(0, below, below));
     }
     const Classified at = evaluate(tf, values[i]);
     Level<Real> level{
@@ -121,11 +121,11 @@ Levels<Real> make_levels(TransferFunction tf, std::span<const Peak> surfaces, do
     result.levels.push_back(level);
     const Classified above = evaluate_right(tf, values[i]);
     if (i + 1 < values.size())
-      add_stretch(result, values[i], above, values[i + 1], evaluate_left(tf, values[i + 1]));
+      add_linear(result, values[i], above, values[i + 1], evaluate_left(tf, values[i + 1]));
     else
-      result.stretches.push_back(make_stretch<Real>(0, above, above));
+      result.pieces.push_back(make_linear<Real>(0, above, above));
   }
-  if (values.empty()) result.stretches.emplace_back();
+  if (values.empty()) result.pieces.emplace_back();
   find_visible(result);
   return result;
 }

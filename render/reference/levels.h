@@ -11,7 +11,7 @@ namespace crest::reference {
 
 /// The TF between two successive levels: linear in colour and in opacity, which does not pass the cap.
 template <class Real>
-struct Stretch {
+struct LinearPiece {
   Real width = 0;  ///< of its values; 0 beyond the TF's ends, where it is constant
   Real opacity_low = 0, opacity_high = 0;
   Vec3<Real> color_low{0}, color_high{0};
@@ -38,26 +38,26 @@ struct Level {
 /// A TF cut at its control points, at the opacity cap, and at the surfaces' values: what a ray meets as the
 /// field rises or falls along it.
 ///
-///   stretch 0 | level 0 | stretch 1 | level 1 | ... | level n-1 | stretch n        by ascending value
+///   piece 0 | level 0 | piece 1 | level 1 | ... | level n-1 | piece n        by ascending value
 ///
-/// Opacity is linear in a stretch, and min(a, 1 - 2^-24) is, too, since the cap a = 1 - 2^-24 is a level.
+/// Opacity is linear in a linear, and min(a, 1 - 2^-24) is, too, since the cap a = 1 - 2^-24 is a level.
 template <class Real>
 struct Levels {
   std::vector<Level<Real>> levels;
-  std::vector<Stretch<Real>> stretches;
+  std::vector<LinearPiece<Real>> pieces;
   std::vector<CrossedSurface<Real>> surfaces;  ///< by ascending value
   Real extinction_scale = 1;  ///< -log(1 - opacity) times this is the extinction per unit of length
 
-  /// The stretch that holds a value: the upper one at a level.
-  std::size_t stretch_at(Value<Real> value) const;
+  /// The piece that holds a value: the upper one at a level.
+  std::size_t piece_at(Value<Real> value) const;
   /// Whether a surface's value lies in [low, high].
   bool surface_within(Real low, Real high) const;
   /// Whether something in [low, high] absorbs.
   bool visible_within(Real low, Real high) const;
-  /// The constant stretch that holds all of [low, high], if there is one.
-  const Stretch<Real>* constant_within(Real low, Real high) const;
+  /// The constant piece that holds all of [low, high], if there is one.
+  const LinearPiece<Real>* constant_within(Real low, Real high) const;
 
-  /// For stretches and levels in turn (2i, 2i + 1): the next one that is not clear.
+  /// For pieces and levels in turn (2i, 2i + 1): the next one that is not clear.
   std::vector<std::size_t> next_visible;
 };
 

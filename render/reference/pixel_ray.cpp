@@ -9,7 +9,7 @@ namespace crest::reference {
 namespace {
 
 template <class Real>
-struct Interval {
+struct Span {
   Real enter, exit;
   int axis = -1;  ///< whose face is entered
 };
@@ -17,9 +17,8 @@ struct Interval {
 /// Where the line is in the box, from `start` on. A line in a face is inside; nothing is in a box that ends
 /// before it begins.
 template <class Real>
-Interval<Real> intersect(Vec3<Real> origin, Vec3<Real> direction, Vec3<Real> low, Vec3<Real> high,
-                         Real start) {
-  Interval<Real> hit{start, std::numeric_limits<Real>::max()};
+Span<Real> intersect(Vec3<Real> origin, Vec3<Real> direction, Vec3<Real> low, Vec3<Real> high, Real start) {
+  Span<Real> hit{start, std::numeric_limits<Real>::max()};
   for (int axis = 0; axis < 3; ++axis) {
     const Real o = origin[axis], d = direction[axis];
     if (low[axis] > high[axis]) return {1, 0};

@@ -7,8 +7,8 @@
 namespace crest::reference {
 namespace {
 
-/// Runs that stay on a value are inside its surface if they are this long, in smallest spacings: beside a
-/// tangent, rounding makes shorter ones.
+/// Monotone parts that stay on a value are inside its surface if they are this long, in smallest spacings:
+/// beside a tangent, rounding makes shorter ones.
 constexpr double least_flat_length = 1e-6;
 
 /// Optical depths that one panel of the quadrature may have.
@@ -22,9 +22,9 @@ constexpr double relative_tolerance = 1e-9;  ///< of a panel's own light: narrow
 
 constexpr int most_halvings = 64;
 
-/// Whether the last piece of a run is better measured by the value that the field has there than by the
-/// rounded place: it is short, and the field steep. What a narrow stretch lacks before a cell's face is then
-/// what it has behind it.
+/// Whether the last bit of a monotone part is better measured by the value that the field has there than by
+/// the rounded place: it is short, and the field steep. What a narrow linear piece lacks before a cell's face
+/// is then what it has behind it.
 template <class Real, int N>
 bool ends_steeply(const Polynomial<Real, N>& risen, Real size, Real target, Real rounding) {
   return size < Real(1e-3) && std::abs(risen.derivative()(size) * size) > std::abs(target) / 4 &&
@@ -56,14 +56,14 @@ void RaySolver<Real>::add_clear() {
 }
 
 template <class Real>
-void RaySolver<Real>::add_constant(const Stretch<Real>& stretch, Real length) {
+void RaySolver<Real>::add_constant(const LinearPiece<Real>& linear, Real length) {
   begin_span();
-  composite(stretch.color_low, -std::log1p(-stretch.opacity_low) * levels_.extinction_scale * length);
+  composite(linear.color_low, -std::log1p(-linear.opacity_low) * levels_.extinction_scale * length);
 }
 
 template <class Real>
 Value<Real> RaySolver<Real>::snapped(Value<Real> value, Real rounding) const {
-  const std::size_t above = levels_.stretch_at(value);
+  const std::size_t above = levels_.piece_at(value);
   Value<Real> nearest = value;
   for (std::size_t i = above > 0 ? above - 1 : 0; i < std::min(above + 1, levels_.levels.size()); ++i)
     if (const Real distance = std::abs(levels_.levels[i].value - value); distance <= rounding) {
@@ -88,24 +88,24 @@ void RaySolver<Real>::add(const FieldPiece<Real, N>& piece) {
     const Value<Real> value = value_at(place);
     const Value<Real> next = i + 1 < extrema.count ? value_at(extrema.at[std::size_t(i + 1)]) : last;
     if (std::abs(value - first) <= piece.rounding || std::abs(next - value) <= piece.rounding) continue;
-    add_run(piece, from, place, first, value);
+    add_monotone(piece, from, place, first, value);
     from = place;
     first = value;
   }
-  add_run(piece, from, Real(1), first, last);
+  add_monotone(piece, from, Real(1), first, last);
   knot_ = last;
   knot_known_ = true;
   knot_float_rounding_ = piece.float_rounding;
 }
 
-/// The crossing at the knot between two runs, if there is one.
+/// The crossing at the knot between two monotone parts, if there is one.
 template <class Real>
-void RaySolver<Real>::enter_run(Value<Real> value, Trend trend, Real place, Real float_rounding) {
+void RaySolver<Real>::enter_monotone(Value<Real> value, Trend trend, Real place, Real float_rounding) {
   if (trend != trend_ || trend == Trend::flat) note_grazing(value, float_rounding);
   const bool outside_before = trend_ == Trend::rising,
              inside_before = trend_ == Trend::falling || trend_ == Trend::flat;
   if (trend == Trend::falling ? inside_before : outside_before) {
-    const std::size_t above = levels_.stretch_at(value);
+    const std::size_t above = levels_.piece_at(value);
     if (above > 0 && levels_.levels[above - 1].value - value == 0)
       cross(levels_.levels[above - 1], trend != Trend::falling, place);
   }
@@ -114,38 +114,39 @@ void RaySolver<Real>::enter_run(Value<Real> value, Trend trend, Real place, Real
 
 template <class Real>
 template <int N>
-void RaySolver<Real>::add_run(const FieldPiece<Real, N>& piece, Real from, Real to, Value<Real> first,
-                              Value<Real> last) {
+void RaySolver<Real>::add_monotone(const FieldPiece<Real, N>& piece, Real from, Real to, Value<Real> first,
+                                   Value<Real> last) {
   const Real rise = last - first;
   if (std::abs(rise) <= piece.rounding) {
     const Real length = (to - from) * piece.length;
-    if (length > Real(least_flat_length)) enter_run(first, Trend::flat, from, piece.float_rounding);
+    if (length > Real(least_flat_length)) enter_monotone(first, Trend::flat, from, piece.float_rounding);
     composite_flat(first, length);
     return;
   }
-  enter_run(first, rise > 0 ? Trend::rising : Trend::falling, from, piece.float_rounding);
-  integrate_run(piece, from, to, first, last);
+  enter_monotone(first, rise > 0 ? Trend::rising : Trend::falling, from, piece.float_rounding);
+  integrate_monotone(piece, from, to, first, last);
 }
 
 template <class Real>
 template <int N>
-void RaySolver<Real>::integrate_run(const FieldPiece<Real, N>& piece, Real from, Real to, Value<Real> first,
-                                    Value<Real> last) {
+void RaySolver<Real>::integrate_monotone(const FieldPiece<Real, N>& piece, Real from, Real to,
+                                         Value<Real> first, Value<Real> last) {
   const bool rising = last - first > 0;
   const auto lies_before = [&](Value<Real> a, Value<Real> b) { return rising ? b - a > 0 : a - b > 0; };
   const auto& levels = levels_.levels;
-  std::size_t index = levels_.stretch_at(first);
-  if (!rising && index > 0 && levels[index - 1].value - first == 0) --index;  // the stretch below the level
+  std::size_t index = levels_.piece_at(first);
+  if (!rising && index > 0 && levels[index - 1].value - first == 0)
+    --index;  // the linear piece below the level
 
   Value<Real> value = first;
   for (;;) {
     const bool has_next = rising ? index < levels.size() : index > 0;
     const Level<Real>* next = has_next ? &levels[rising ? index : index - 1] : nullptr;
     if (next && !lies_before(next->value, last)) next = nullptr;
-    if (!next && (levels_.stretches[index].is_clear || is_opaque())) return;
+    if (!next && (levels_.pieces[index].is_clear || is_opaque())) return;
 
     if (!is_opaque())
-      from += composite_stretch(piece, index, from, to, value, next ? next->value : last, next != nullptr);
+      from += composite_linear(piece, index, from, to, value, next ? next->value : last, next != nullptr);
     if (!next) return;
     cross(*next, rising, from);
     value = next->value;
@@ -153,13 +154,13 @@ void RaySolver<Real>::integrate_run(const FieldPiece<Real, N>& piece, Real from,
   }
 }
 
-/// The part of a run from `from` on, in which the field goes from `value` to `end` within one stretch: to a
-/// level, or, where the run ends first, to `to`. Returns how far that is.
+/// What of a monotone part lies from `from` on, in which the field goes from `value` to `end` within one
+/// linear piece: to a level, or, where the part ends first, to `to`. Returns how far that is.
 template <class Real>
 template <int N>
-Real RaySolver<Real>::composite_stretch(const FieldPiece<Real, N>& piece, std::size_t index, Real from,
-                                        Real to, Value<Real> value, Value<Real> end, bool ends_at_level) {
-  const Stretch<Real>& stretch = levels_.stretches[index];
+Real RaySolver<Real>::composite_linear(const FieldPiece<Real, N>& piece, std::size_t index, Real from,
+                                       Real to, Value<Real> value, Value<Real> end, bool ends_at_level) {
+  const LinearPiece<Real>& linear = levels_.pieces[index];
   const Real target = end - value;
   const bool rising = target > 0;
   Polynomial<Real, N> risen = piece.f.shifted(from);
@@ -167,34 +168,34 @@ Real RaySolver<Real>::composite_stretch(const FieldPiece<Real, N>& piece, std::s
   Real size = to - from;
   if (ends_at_level || ends_steeply(risen, size, target, piece.rounding))
     size = solve_monotone(risen, target, Real(0), size, rising, target / risen.c[1]);
-  if (stretch.is_clear) return size;
+  if (linear.is_clear) return size;
 
   const Real length = size * piece.length;
-  if (stretch.is_constant) {
-    composite(stretch.color_low, -std::log1p(-stretch.opacity_low) * levels_.extinction_scale * length);
+  if (linear.is_constant) {
+    composite(linear.color_low, -std::log1p(-linear.opacity_low) * levels_.extinction_scale * length);
     return size;
   }
   Real fraction = rising ? Real(0) : Real(1);
   const Value<Real> level_behind = levels_.levels[rising ? index - 1 : index].value;
-  if (value - level_behind != 0) fraction = (value - levels_.levels[index - 1].value) / stretch.width;
-  composite_ramp(stretch, fraction, risen.stretched(size), length);
+  if (value - level_behind != 0) fraction = (value - levels_.levels[index - 1].value) / linear.width;
+  composite_ramp(linear, fraction, risen.stretched(size), length);
   return size;
 }
 
 template <class Real>
 template <int N>
-void RaySolver<Real>::composite_ramp(const Stretch<Real>& stretch, Real fraction,
+void RaySolver<Real>::composite_ramp(const LinearPiece<Real>& linear, Real fraction,
                                      const Polynomial<Real, N>& risen, Real length) {
   Polynomial<Real, N> rise = risen;
-  for (Real& c : rise.c) c /= stretch.width;
-  const Ramp<Real, N> ramp(stretch, fraction, rise, levels_.extinction_scale * length);
-  composite_panel(ramp, stretch, glm::mix(stretch.color_low, stretch.color_high, fraction), Real(0),
-                  ramp.size, 0);
+  for (Real& c : rise.c) c /= linear.width;
+  const Ramp<Real, N> ramp(linear, fraction, rise, levels_.extinction_scale * length);
+  composite_panel(ramp, linear, glm::mix(linear.color_low, linear.color_high, fraction), Real(0), ramp.size,
+                  0);
 }
 
 template <class Real>
 template <int N>
-void RaySolver<Real>::composite_panel(const Ramp<Real, N>& ramp, const Stretch<Real>& stretch,
+void RaySolver<Real>::composite_panel(const Ramp<Real, N>& ramp, const LinearPiece<Real>& linear,
                                       Vec3<Real> color, Real z0, Real z1, int halvings) {
   if (is_opaque()) return;
   const auto coarse = ramp.template integrate<coarse_nodes>(z0, z1);
@@ -207,7 +208,7 @@ void RaySolver<Real>::composite_panel(const Ramp<Real, N>& ramp, const Stretch<R
     const bool is_good = error * double(transmittance_) <= double(tolerance_) &&
                          difference <= std::sqrt(relative_tolerance) * double(absorbed);
     if (is_good || halvings == most_halvings) {
-      const Vec3<Real> light = color * absorbed + (stretch.color_high - stretch.color_low) * fine.risen;
+      const Vec3<Real> light = color * absorbed + (linear.color_high - linear.color_low) * fine.risen;
       collected_.color += transmittance_ * light;
       collected_.alpha += transmittance_ * absorbed;
       transmittance_ *= std::exp(-fine.depth);
@@ -215,24 +216,24 @@ void RaySolver<Real>::composite_panel(const Ramp<Real, N>& ramp, const Stretch<R
     }
   }
   const Real middle = (z0 + z1) / 2;
-  composite_panel(ramp, stretch, color, z0, middle, halvings + 1);
-  composite_panel(ramp, stretch, color, middle, z1, halvings + 1);
+  composite_panel(ramp, linear, color, z0, middle, halvings + 1);
+  composite_panel(ramp, linear, color, middle, z1, halvings + 1);
 }
 
 template <class Real>
 void RaySolver<Real>::composite_flat(Value<Real> value, Real length) {
   if (is_opaque()) return;
-  const std::size_t index = levels_.stretch_at(value);
-  const Stretch<Real>& stretch = levels_.stretches[index];
-  Vec3<Real> color = stretch.color_low;
-  Real opacity = stretch.opacity_low;
+  const std::size_t index = levels_.piece_at(value);
+  const LinearPiece<Real>& linear = levels_.pieces[index];
+  Vec3<Real> color = linear.color_low;
+  Real opacity = linear.opacity_low;
   if (index > 0 && levels_.levels[index - 1].value - value == 0) {
     color = levels_.levels[index - 1].color;
     opacity = levels_.levels[index - 1].opacity;
-  } else if (!stretch.is_constant) {
-    const Real fraction = (value - levels_.levels[index - 1].value) / stretch.width;
-    color = glm::mix(stretch.color_low, stretch.color_high, fraction);
-    opacity = stretch.opacity_low + (stretch.opacity_high - stretch.opacity_low) * fraction;
+  } else if (!linear.is_constant) {
+    const Real fraction = (value - levels_.levels[index - 1].value) / linear.width;
+    color = glm::mix(linear.color_low, linear.color_high, fraction);
+    opacity = linear.opacity_low + (linear.opacity_high - linear.opacity_low) * fraction;
   }
   composite(color, -std::log1p(-opacity) * levels_.extinction_scale * length);
 }

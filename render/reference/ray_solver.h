@@ -28,14 +28,14 @@ struct MetSurface {
 
 /// Solves the volume rendering integral and the crossings along one ray, piece by piece from its front:
 ///
-///   C = sum over runs of T_0 * integral of c(f) rho(f) T ds,   T = exp(-integral of rho(f) ds),
+///   C = sum over monotone parts of T_0 * integral of c(f) rho(f) T ds,   T = exp(-integral of rho(f) ds),
 ///   and at each crossing of a surface   C += T c_k a_k,   T *= 1 - a_k.
 ///
-/// A piece is cut at the field's extrema (f' = 0); each run between two such knots is monotone, and meets the
-/// TF's levels in order. What lies between two levels is a ramp (ramp.h), or constant, where the integral is
-/// c (1 - exp(-rho ds)). Knots within rounding of a level are on it, so that a root on a cell's face or a
+/// A piece is cut at the field's extrema (f' = 0); each part between two such knots is monotone, and meets
+/// the TF's levels in order. What lies between two levels is a ramp (ramp.h), or constant, where the integral
+/// is c (1 - exp(-rho ds)). Knots within rounding of a level are on it, so that a root on a cell's face or a
 /// tangent is decided as in exact arithmetic. A surface of value v is crossed where inside = {f >= v} changes
-/// between two runs, or within one; a run that stays on v is inside.
+/// between two parts, or within one; a part that stays on v is inside.
 template <class Real>
 class RaySolver {
  public:
@@ -48,8 +48,8 @@ class RaySolver {
   void add(const FieldPiece<Real, N>& piece);
   /// A piece in which nothing absorbs, and no surface's value is within rounding of the field's.
   void add_clear();
-  /// A piece whose values all lie in one constant stretch, likewise without surfaces.
-  void add_constant(const Stretch<Real>& stretch, Real length);
+  /// A piece whose values all lie in one constant piece of the TF, likewise without surfaces.
+  void add_constant(const LinearPiece<Real>& linear, Real length);
   void end_span();
 
   /// From now on the surfaces that a piece meets are added to `met`, in order, and not composited.
@@ -68,23 +68,24 @@ class RaySolver {
   enum class Trend { unknown, falling, flat, rising };
 
   template <int N>
-  void add_run(const FieldPiece<Real, N>& piece, Real from, Real to, Value<Real> first, Value<Real> last);
+  void add_monotone(const FieldPiece<Real, N>& piece, Real from, Real to, Value<Real> first,
+                    Value<Real> last);
   template <int N>
-  void integrate_run(const FieldPiece<Real, N>& piece, Real from, Real to, Value<Real> first,
-                     Value<Real> last);
+  void integrate_monotone(const FieldPiece<Real, N>& piece, Real from, Real to, Value<Real> first,
+                          Value<Real> last);
   template <int N>
-  Real composite_stretch(const FieldPiece<Real, N>& piece, std::size_t index, Real from, Real to,
-                         Value<Real> value, Value<Real> end, bool ends_at_level);
+  Real composite_linear(const FieldPiece<Real, N>& piece, std::size_t index, Real from, Real to,
+                        Value<Real> value, Value<Real> end, bool ends_at_level);
   template <int N>
-  void composite_ramp(const Stretch<Real>& stretch, Real fraction, const Polynomial<Real, N>& risen,
+  void composite_ramp(const LinearPiece<Real>& linear, Real fraction, const Polynomial<Real, N>& risen,
                       Real length);
   template <int N>
-  void composite_panel(const Ramp<Real, N>& ramp, const Stretch<Real>& stretch, Vec3<Real> color, Real z0,
+  void composite_panel(const Ramp<Real, N>& ramp, const LinearPiece<Real>& linear, Vec3<Real> color, Real z0,
                        Real z1, int halvings);
   void composite_flat(Value<Real> value, Real length);
   void composite(Vec3<Real> color, Real depth);
   void cross(const Level<Real>& level, bool rising, Real place);
-  void enter_run(Value<Real> value, Trend trend, Real place, Real float_rounding);
+  void enter_monotone(Value<Real> value, Trend trend, Real place, Real float_rounding);
   void note_grazing(Value<Real> value, Real float_rounding);
   Value<Real> snapped(Value<Real> value, Real rounding) const;
 
@@ -94,7 +95,7 @@ class RaySolver {
   Collected<Real> collected_;
   std::vector<MetSurface<Real>>* met_ = nullptr;  ///< where they are only told
 
-  Trend trend_ = Trend::unknown;  ///< of the last run that counts
+  Trend trend_ = Trend::unknown;  ///< of the last monotone part that counts
   bool knot_known_ = false;
   Value<Real> knot_;  ///< the field's value where the last piece ended
   Real knot_float_rounding_ = 0;

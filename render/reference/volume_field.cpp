@@ -40,9 +40,9 @@ bool solve_plain_cell(RaySolver<Real>& solver, const CellBounds<Real>& bounds, R
     solver.add_clear();
     return true;
   }
-  const Stretch<Real>* stretch = levels.constant_within(bounds.low, bounds.high);
-  if (stretch) solver.add_constant(*stretch, length);
-  return stretch != nullptr;
+  const LinearPiece<Real>* linear = levels.constant_within(bounds.low, bounds.high);
+  if (linear) solver.add_constant(*linear, length);
+  return linear != nullptr;
 }
 
 template <class Real>

@@ -1,18 +1,14 @@
 #include "render/resources/preintegration_textures.h"
 
+#include "render/gl/texture.h"
+
 namespace crest {
 namespace {
 
 gl::TextureHandle upload_rgba(GLsizei width, GLsizei height, GLint filter, const void* data) {
-  GLuint id = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &id);
-  gl::TextureHandle texture(id);
-  glTextureStorage2D(id, 1, GL_RGBA32F, width, height);
-  glTextureSubImage2D(id, 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, data);
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, filter);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, filter);
-  glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl::TextureHandle texture = gl::make_texture(GL_TEXTURE_2D, filter);
+  glTextureStorage2D(texture.id(), 1, GL_RGBA32F, width, height);
+  glTextureSubImage2D(texture.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, data);
   return texture;
 }
 
@@ -20,7 +16,7 @@ struct AntiderivativesKey {
   TransferFunction tf;
   ValueRange field;
   double smallest_spacing;
-  int stretches;
+  int bins;
   bool operator==(const AntiderivativesKey&) const = default;
 };
 
@@ -46,11 +42,10 @@ PreintegrationTexture upload(const PreintegrationTable& table) {
 }  // namespace
 
 const AntiderivativesTexture& antiderivatives_texture(KeyedCache& held, const TransferFunction& tf,
-                                                      ValueRange field, double smallest_spacing,
-                                                      int stretches) {
-  return held.get(AntiderivativesKey{tf, field, smallest_spacing, stretches},
-                  std::size_t(stretches + 2) * sizeof(Antiderivatives::Entry),
-                  [&] { return upload(build_antiderivatives(tf, field, smallest_spacing, stretches)); });
+                                                      ValueRange field, double smallest_spacing, int bins) {
+  return held.get(AntiderivativesKey{tf, field, smallest_spacing, bins},
+                  std::size_t(bins + 2) * sizeof(Antiderivatives::Entry),
+                  [&] { return upload(build_antiderivatives(tf, field, smallest_spacing, bins)); });
 }
 
 const PreintegrationTexture& preintegration_texture(KeyedCache& held, const TransferFunction& tf,

@@ -14,11 +14,10 @@ namespace crest {
 struct AntiderivativesTexture {
   gl::TextureHandle texture;
   ValueRange range;
-  int stretches = 0;
+  int bins = 0;
 };
 const AntiderivativesTexture& antiderivatives_texture(KeyedCache& held, const TransferFunction& tf,
-                                                      ValueRange field, double smallest_spacing,
-                                                      int stretches);
+                                                      ValueRange field, double smallest_spacing, int bins);
 
 /// The pre-integration table on the GPU: 2D, RGBA32F, front value across, back value up; the first and the
 /// last texel's centres are the range's ends.

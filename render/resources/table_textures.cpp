@@ -3,6 +3,7 @@
 #include <glm/vec4.hpp>
 #include <limits>
 
+#include "render/gl/texture.h"
 #include "render/gl/uniforms.h"
 
 namespace crest {
@@ -10,14 +11,9 @@ namespace {
 
 /// A row of RGBA32F texels.
 gl::TextureHandle upload_row(const void* texels, std::size_t count, GLint filter) {
-  GLuint id = 0;
-  glCreateTextures(GL_TEXTURE_1D, 1, &id);
-  gl::TextureHandle texture(id);
-  glTextureStorage1D(id, 1, GL_RGBA32F, GLsizei(count));
-  glTextureSubImage1D(id, 0, 0, GLsizei(count), GL_RGBA, GL_FLOAT, texels);
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, filter);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, filter);
-  glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl::TextureHandle texture = gl::make_texture(GL_TEXTURE_1D, filter);
+  glTextureStorage1D(texture.id(), 1, GL_RGBA32F, GLsizei(count));
+  glTextureSubImage1D(texture.id(), 0, 0, GLsizei(count), GL_RGBA, GL_FLOAT, texels);
   return texture;
 }
 

@@ -6,6 +6,7 @@
 
 #include "presets/error.h"
 #include "render/classify/stored_units.h"
+#include "render/gl/texture.h"
 #include "render/resources/volume_key.h"
 #include "render/volume/empty_cells.h"
 
@@ -13,22 +14,16 @@ namespace crest {
 
 gl::TextureHandle upload_3d(glm::ivec3 size, GLenum internal_format, GLenum format, GLenum type,
                             const void* data, GLint filter) {
-  GLuint id = 0;
-  glCreateTextures(GL_TEXTURE_3D, 1, &id);
-  gl::TextureHandle texture(id);
+  gl::TextureHandle texture = gl::make_texture(GL_TEXTURE_3D, filter);
   while (glGetError() != GL_NO_ERROR) {
   }
-  glTextureStorage3D(id, 1, internal_format, size.x, size.y, size.z);
+  glTextureStorage3D(texture.id(), 1, internal_format, size.x, size.y, size.z);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   if (glGetError() == GL_NO_ERROR)
-    glTextureSubImage3D(id, 0, 0, 0, 0, size.x, size.y, size.z, format, type, data);
+    glTextureSubImage3D(texture.id(), 0, 0, 0, 0, size.x, size.y, size.z, format, type, data);
   if (glGetError() != GL_NO_ERROR)
     throw Error(
         fmt::format("the graphics driver has no room for a volume of {}x{}x{}", size.x, size.y, size.z));
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, filter);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, filter);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-    glTextureParameteri(id, wrap, GL_CLAMP_TO_EDGE);
   return texture;
 }
 

@@ -80,8 +80,8 @@ std::vector<std::string> shader_defines(const Features& features) {
   for (const auto& [placement, name] : names_of<Placement>())
     defines.push_back(define_of("PLACEMENT", name, features.placement == placement));
   add_filter_defines(defines, features);
-  for (const auto& [illumination, name] : names_of<Illumination>())
-    defines.push_back(define_of("ILLUMINATION", name, features.illumination == illumination));
+  for (const auto& [blend_mode, name] : names_of<BlendMode>())
+    defines.push_back(define_of("BLEND", name, features.blend_mode == blend_mode));
   return defines;
 }
 
@@ -93,8 +93,8 @@ std::vector<std::string> feature_names(const Features& features) {
     names.push_back(fmt::format("placement_{}", name_of(features.placement)));
   if (features.filter != Filter::linear) names.push_back(fmt::format("filter_{}", name_of(features.filter)));
   if (features.own_root_filter) names.push_back(fmt::format("root_filter_{}", name_of(features.root_filter)));
-  if (features.illumination != Illumination::semi_transparent)
-    names.push_back(fmt::format("illumination_{}", name_of(features.illumination)));
+  if (features.blend_mode != BlendMode::semi_transparent)
+    names.push_back(fmt::format("illumination_{}", name_of(features.blend_mode)));
   return names;
 }
 

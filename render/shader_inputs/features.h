@@ -33,7 +33,7 @@ struct Features {
   bool long_rays = false;     ///< drawn in several passes
   bool statistics = false;
   Placement placement = Placement::entry_exit_corner;
-  Illumination illumination = Illumination::semi_transparent;
+  BlendMode blend_mode = BlendMode::semi_transparent;
   Filter filter = Filter::linear;       ///< of DVR samples, and without them of surfaces
   Filter root_filter = Filter::linear;  ///< of surfaces, and without them of DVR samples
 

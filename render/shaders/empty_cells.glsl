@@ -7,7 +7,7 @@ uniform usampler3D empty_cells;  // 1 = this cell is empty
 
 bool is_empty(Walk walk) { return texelFetch(empty_cells, walk.cell, 0).r != 0u; }
 
-// The next stretch without empty cells. `more` is whether the walk has a cell left.
+// The next span without empty cells. `more` is whether the walk has a cell left.
 bool next_span(inout Walk walk, inout bool more, out Span span) {
   while (more && is_empty(walk)) more = advance(walk);
   span = Span(walk.t, walk.end);

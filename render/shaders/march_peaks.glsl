@@ -15,8 +15,8 @@ vec4 material_at(Ray ray, float t, float value) {
 float done;
 vec4 sample_material;
 
-// Composites up to a crossing: the piece that holds the sample with the sample's material, to the end of its segment;
-// the rest, or a piece between two crossings, with the TF at its middle, on the line between its two knots. No piece
+// Composites up to a crossing: the part that holds the sample with the sample's material, to the end of its segment;
+// the rest, or a part between two crossings, with the TF at its middle, on the line between its two knots. No part
 // goes beyond the last segment's end.
 void composite_until(Ray ray, Interval now, Knot from, Knot hit, bool is_first, float light_at_hit) {
   if (is_first) {
@@ -33,7 +33,7 @@ void composite_until(Ray ray, Interval now, Knot from, Knot hit, bool is_first, 
 }
 #endif
 
-// The inner loop composites whole segments. A crossing cuts its segment; the next sample's piece then begins at the
+// The inner loop composites whole segments. A crossing cuts its segment; the next sample's part then begins at the
 // cut. Behind the last sample the exit takes what is left. All that outlives the inner loop is carried by it: Mesa
 // 22.3's llvmpipe takes other values that were computed in a loop from its last lane.
 void march(Ray ray, Sampling s, int first, int last) {
@@ -44,17 +44,17 @@ void march(Ray ray, Sampling s, int first, int last) {
   float f0 = first > 0 ? field(at(ray, sample_at(s, first - 2))) : f1;  // at the entry nothing is known of before
   float f3 = f2;
   if (first < s.n) f3 = field(at(ray, sample_at(s, first + 1)));
-  float next_piece = size_at(s, first);  // of the ray, that the sample after `a` stands for
+  float next_part = size_at(s, first);  // of the ray, that the sample after `a` stands for
   int cleared = -1;                      // the interval whose crossings were composited
 #if DVR && SPLIT
-  float cut = first > 0 ? t : boundary_at(s, 0);  // where the piece of the sample `cut_sample` begins
+  float cut = first > 0 ? t : boundary_at(s, 0);  // where the part of the sample `cut_sample` begins
   int cut_sample = first - 1;
   vec4 material = vec4(0.0);
-  float piece = 0.0;
+  float part = 0.0;
 #if LONG_RAYS
   if (first > 0) {  // the pass before this one ended at the sample
     material = material_at(ray, t, f1);
-    piece = boundary_at(s, first) - t;
+    part = boundary_at(s, first) - t;
   }
 #endif
 #endif
@@ -64,20 +64,20 @@ void march(Ray ray, Sampling s, int first, int last) {
     while (i < last) {
       if (may_cross(least_between(f0, f1, f2, f3), most_between(f0, f1, f2, f3)) && i != cleared) break;
 #if DVR && SPLIT
-      composite(material.rgb, opacity_of(material.a * piece));
+      composite(material.rgb, opacity_of(material.a * part));
       material = material_at(ray, sample_at(s, i), f2);
-      piece = next_piece;
+      part = next_part;
       if (i < s.n) COUNT_DVR_SAMPLE;
 #elif DVR
       vec4 material = material_at(ray, sample_at(s, i), f2);
-      composite(material.rgb, opacity_of(i < s.n ? material.a * next_piece : 0.0));
-      if (i < s.n && next_piece > 0.0) COUNT_DVR_SAMPLE;
+      composite(material.rgb, opacity_of(i < s.n ? material.a * next_part : 0.0));
+      if (i < s.n && next_part > 0.0) COUNT_DVR_SAMPLE;
 #endif
       f0 = f1;
       f1 = f2;
       f2 = f3;
       ++i;
-      next_piece = size_at(s, i);
+      next_part = size_at(s, i);
       if (i < s.n) f3 = field(at(ray, sample_at(s, i + 1)));
       if (TERMINATED) i = last;
     }
@@ -93,12 +93,12 @@ void march(Ray ray, Sampling s, int first, int last) {
     cleared = i;
     if (crossed) {
 #if DVR && SPLIT
-      piece = 0.0;
+      part = 0.0;
       cut = done;
       cut_sample = i;
-      next_piece = min(boundary_at(s, i + 1), last_end) - done;
+      next_part = min(boundary_at(s, i + 1), last_end) - done;
 #elif EXCLUSIVE
-      next_piece = 0.0;
+      next_part = 0.0;
 #endif
       if (TERMINATED) i = last;
     }
@@ -111,6 +111,6 @@ void march(Ray ray, Sampling s, int first, int last) {
   }
 #endif
 #if DVR && SPLIT
-  if (cut_sample == s.n) composite(material.rgb, opacity_of(material.a * piece));
+  if (cut_sample == s.n) composite(material.rgb, opacity_of(material.a * part));
 #endif
 }

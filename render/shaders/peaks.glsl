@@ -82,7 +82,7 @@ void find_candidates(float least, float most, out uint first, out uint count) {
 }
 #endif
 
-// Inside is {f >= v}; a crossing lies between two stretches of positive length. A sample exactly on v belongs to
+// Inside is {f >= v}; a crossing lies between two parts of positive length. A sample exactly on v belongs to
 // the side that it came from, or, when the field stays on v, to the inside: so a touch is no crossing, and a
 // crossing at a sample is one. `before` is the sample before f0 (at the entry, f1 itself).
 bool crosses(float v, float before, float f0, float f1) {

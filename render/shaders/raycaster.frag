@@ -37,9 +37,9 @@ uniform float least_residual;
 // is isolated and no value of the field is evaluated twice.
 #define INTERVALS_BEYOND_SEGMENTS 1
 #include "march_peaks.glsl"
-#elif DVR && !ILLUMINATION_SEMI_TRANSPARENT
+#elif DVR && !BLEND_SEMI_TRANSPARENT
 #define INTERVALS_BEYOND_SEGMENTS 0
-#include "march_illumination.glsl"
+#include "march_blended.glsl"
 #elif DVR
 #define INTERVALS_BEYOND_SEGMENTS 0
 
@@ -61,7 +61,7 @@ int interval_total(Sampling s) { return s.n + INTERVALS_BEYOND_SEGMENTS; }
 
 // Marches the intervals [first, last) of a sampling; in passes only those that are the pass's. `index` is the number of
 // intervals before this sampling's.
-void march_part(Ray ray, Sampling s, int first, int last, int index) {
+void march_intervals(Ray ray, Sampling s, int first, int last, int index) {
 #if LONG_RAYS
   first = max(first, first_interval - index);
   last = min(last, first_interval + interval_count - index);
@@ -70,23 +70,23 @@ void march_part(Ray ray, Sampling s, int first, int last, int index) {
 }
 
 #if ADAPTIVE
-// The segments that a stretch of macrocells meets are joined as its cells allow; one that lies in two belongs to the
-// first. Each part is sampled as a span of its own.
+// The segments that a span of macrocells meets are joined as its cells allow; one that lies in two belongs to the
+// first. What is joined is sampled as a span of its own.
 void march_span(Ray ray, Span span, inout int index) {
   Sampling s = sample_span(ray, span);
   Walk walk = begin_macrocells(ray, span);
   float slack = slack_of(ray, span);
   bool more = true;
-  Span stretch;
+  Span cells;
   uint multiple;
   int marched = 0;
-  while (!TERMINATED && next_stretch(walk, more, stretch, multiple)) {
-    int first = max(marched, int(floor(index_at(s, stretch.enter - slack))));
-    marched = max(marched, min(int(floor(index_at(s, stretch.exit + slack))) + 1, s.n));
+  while (!TERMINATED && next_macrocells(walk, more, cells, multiple)) {
+    int first = max(marched, int(floor(index_at(s, cells.enter - slack))));
+    marched = max(marched, min(int(floor(index_at(s, cells.exit + slack))) + 1, s.n));
     if (first >= marched) continue;
-    Sampling part = joined(s, first, marched, int(multiple));
-    march_part(ray, part, 0, interval_total(part), index);
-    index += interval_total(part);
+    Sampling sampling = joined(s, first, marched, int(multiple));
+    march_intervals(ray, sampling, 0, interval_total(sampling), index);
+    index += interval_total(sampling);
   }
 }
 #elif SKIPPING
@@ -140,14 +140,14 @@ void march_span(Ray ray, Span span, inout int index) {
   ivec2 run = ivec2(0);
   while (more && !TERMINATED) {
     run = next_run(walk, more, s, slack, run.y);
-    march_part(ray, s, run.x, run.y, index);
+    march_intervals(ray, s, run.x, run.y, index);
   }
   index += interval_total(s);
 }
 #else
 void march_span(Ray ray, Span span, inout int index) {
   Sampling s = sample_span(ray, span);
-  march_part(ray, s, 0, interval_total(s), index);
+  march_intervals(ray, s, 0, interval_total(s), index);
   index += interval_total(s);
 }
 #endif
@@ -157,7 +157,7 @@ void main() {
   Span box;
   if (hit_box(ray, box.enter, box.exit)) {
     int index = 0;
-#if DVR && !ILLUMINATION_SEMI_TRANSPARENT
+#if DVR && !BLEND_SEMI_TRANSPARENT
     ray_length = box.exit - box.enter;
     collected = nothing_gathered;
 #endif

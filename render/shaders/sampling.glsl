@@ -1,24 +1,26 @@
-// Where a span's samples lie. A sample stands for a segment of the ray, and lies in its middle. The segments are equal
-// (placement.glsl) or grow (differential.glsl); where the sampling is adaptive, several of them are joined into one.
+// Where a span's samples lie. A sample stands for a segment of the ray, and lies in the segment's middle. The segments
+// are equal (placement.glsl), or they grow (differential.glsl); where the sampling is adaptive, several segments are
+// joined into one.
 
 #include "spans.glsl"
 
 struct Sampling {
   Span span;
-  int n;         // segments
-  float begin;   // of the first one
-  float dt;      // size of all of them; or, where they vary, of the second one (FOOTPRINT: what that is a share of),
-  float second;  // which begins here,
-  float growth;  // what each is longer than the one before (FOOTPRINT: log2 of how many times),
-  float end;     // and where the last one ends
+  int n;         // the number of segments
+  float begin;   // where the first segment begins
+  float dt;      // the length of a segment; where lengths vary, that of the second (FOOTPRINT: what that is a share of)
+  float second;  // where the second segment begins
+  float growth;  // how much longer a segment is than the one before (FOOTPRINT: log2 of how many times as long)
+  float end;     // where the last segment ends
 };
 
 #define VARYING_STEPS (DIFFERENTIAL || FOOTPRINT || ADAPTIVE)
 
 #if VARYING_STEPS
 
-// The length of j segments from the second one on, and how many a length is. Both are closed forms, counted from within
-// the span: nothing is added up, so that short steps far from the eye lose no digits.
+// length_of is the length of j segments from the second one on; count_of is the number of segments that have a given
+// length. Both are closed forms, counted from within the span: nothing is added up, so that short steps far from the eye
+// lose no digits.
 #if FOOTPRINT
 float length_of(Sampling s, float j) {
   precise float size = s.dt * (exp2(s.growth * j) - 1.0);
@@ -36,7 +38,8 @@ float count_of(Sampling s, float size) {
 }
 #endif
 
-// Where the i-th segment begins; for i = n, where the last one ends. Its size.
+// boundary_at is where the i-th segment begins (for i = n, where the last one ends); size_at is its length, middle_at its
+// middle.
 float boundary_at(Sampling s, int i) {
   precise float t = s.second + length_of(s, float(i - 1));
   return i <= 0 ? s.begin : i >= s.n ? s.end : min(t, s.end);
@@ -47,7 +50,7 @@ float middle_at(Sampling s, int i) {
   return t;
 }
 
-// In which segment t lies, with the share of it that lies before t.
+// The index of the segment that holds t, plus the share of the segment that lies before t.
 float index_at(Sampling s, float t) {
   return t < s.second ? (t - s.begin) / (s.second - s.begin) : 1.0 + count_of(s, t - s.second);
 }
@@ -67,7 +70,7 @@ float index_at(Sampling s, float t) { return (t - s.begin) / s.dt; }
 
 #endif
 
-// The i-th sample; before the first is the entry, after the last the exit.
+// The place of the i-th sample; -1 is the span's entry, n its exit.
 float sample_at(Sampling s, int i) { return i < 0 ? s.span.enter : i < s.n ? middle_at(s, i) : s.span.exit; }
 
 #if DIFFERENTIAL || FOOTPRINT

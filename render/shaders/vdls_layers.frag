@@ -14,7 +14,7 @@ void composite_before(vec3 color, float alpha) {
   collected = alpha * vec4(color, 1.0) + (1.0 - alpha) * collected;
 }
 #endif
-#include "illumination.glsl"
+#include "blend_mode.glsl"
 
 layout(location = 0) out vec4 out_color;
 layout(location = 1) out ivec4 next_layer_sample;

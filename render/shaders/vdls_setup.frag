@@ -42,7 +42,7 @@ void main() {
 #endif
     layer_sample = ivec4(round(start / fixed_unit), 0);
     delta_vector = ivec4(round(delta / delta_unit()), last - first);
-    if (last > first) out_color = vec4(ILLUMINATION_MINIMUM);
+    if (last > first) out_color = vec4(BLEND_MINIMUM);
     ivec2 leaf = ivec2(gl_FragCoord.xy) / leaf_side;
     atomicMax(leaf_counts[leaf.y * leaves + leaf.x], uint(last - first));
   }

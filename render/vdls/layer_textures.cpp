@@ -3,17 +3,14 @@
 #include <fmt/core.h>
 
 #include "presets/error.h"
+#include "render/gl/texture.h"
 
 namespace crest {
 namespace {
 
 gl::TextureHandle make_texture(glm::ivec2 size) {
-  GLuint id = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &id);
-  gl::TextureHandle texture(id);
-  glTextureStorage2D(id, 1, GL_RGBA32I, size.x, size.y);
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl::TextureHandle texture = gl::make_texture(GL_TEXTURE_2D, GL_NEAREST);
+  glTextureStorage2D(texture.id(), 1, GL_RGBA32I, size.x, size.y);
   return texture;
 }
 

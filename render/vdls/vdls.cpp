@@ -14,7 +14,7 @@
 #include "render/gl/uniforms.h"
 #include "render/resources/table_textures.h"
 #include "render/resources/volume_texture.h"
-#include "render/shader_inputs/illumination.h"
+#include "render/shader_inputs/blend_mode.h"
 #include "render/shader_inputs/view_uniforms.h"
 #include "render/vdls/gradient_volume.h"
 #include "render/vdls/homo_regions.h"
@@ -108,14 +108,14 @@ std::string why_not_vdls(const Scene& scene) {
 // A bucket is visible if the TF shows a value in it, or within an entry of its table, which interpolates.
 Box Vdls::visible_part(const Prepared& p) {
   const Rendering& rendering = p.scene.rendering;
-  const Illumination illumination = rendering.illumination;
+  const BlendMode blend_mode = rendering.blend_mode;
   const Grid& grid = p.volume.grid;
-  if (!rendering.vdls.homo_regions || !rendering.skipping || shows_values(illumination))
+  if (!rendering.vdls.homo_regions || !rendering.skipping || shows_values(blend_mode))
     return {grid.box_min(), grid.box_max()};
   const HomoRegions& homo = homo_regions(resources_->held, p.scene.volume);
   const double entry = 1.001 * p.tf.range.width() / (p.tf.entries - 1) / p.units.scale;
   const double least =
-      illumination == Illumination::iso_surface ? (1 - 1e-6) * iso_opacity(p.scene.tf, homo.range) : 0;
+      blend_mode == BlendMode::iso_surface ? (1 - 1e-6) * iso_opacity(p.scene.tf, homo.range) : 0;
   return visible_box(homo, grid, [&](ValueRange bucket) {
     const double opacity = largest_opacity(p.scene.tf, {bucket.min - entry, bucket.max + entry});
     return opacity > 0 && opacity >= least;
@@ -180,7 +180,7 @@ void Vdls::bind_volume(const Prepared& p, GLuint program) {
   glBindTextureUnit(volume_unit, volume_texture(held, p.scene.volume));
   set(program, "volume", int(volume_unit));
   bind_tf_texture(program, p.tf, tf_unit);
-  bind_illumination(program, p.scene, p.units);
+  bind_blend_mode(program, p.scene, p.units);
   if (!is_shaded(p.scene.rendering)) return;
   set(program, "shading_strength", 1.0f);
   if (!p.scene.rendering.vdls.gradient_volume) return;
@@ -205,7 +205,7 @@ void Vdls::draw_layers(const Prepared& p, const Camera& camera, glm::ivec2 size,
   set(program, "layer_samples", int(layer_unit));
   glUseProgram(program);
   glEnablei(GL_BLEND, 0);
-  set_blending(scene.rendering.illumination, scene.rendering.vdls.back_to_front);
+  set_blending(scene.rendering.blend_mode, scene.rendering.vdls.back_to_front);
   for (int pass = 0; pass < work_.passes; ++pass) {
     const int layer = pass * scene.rendering.vdls.layers_per_pass;
     glBindTextureUnit(layer_unit, layers_.layer_samples(pass));
@@ -255,19 +255,19 @@ PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
       need.features.left_out.emplace_back(name, why_not);
   };
   const std::string off = "it is switched off";
-  const bool values_alone = shows_values(scene.rendering.illumination);
-  const std::string illumination =
-      fmt::format("rendering.illumination is {}", name_of(scene.rendering.illumination));
+  const bool values_alone = shows_values(scene.rendering.blend_mode);
+  const std::string blend_mode =
+      fmt::format("rendering.illumination is {}", name_of(scene.rendering.blend_mode));
   add(true, "layers", "");
   add(o.homo_regions && scene.rendering.skipping && !values_alone, "homo_regions",
       !o.homo_regions             ? off
       : !scene.rendering.skipping ? "rendering.skipping is false"
-                                  : illumination);
+                                  : blend_mode);
   add(o.leaves > 0, "screen_quadtree", off);
   add(o.early_test, "early_outside_volume_test", off);
   add(o.layers_per_pass > 1, "segmented_traversal", off);
   const bool shading = is_shaded(scene.rendering);
-  const std::string unshaded = values_alone ? illumination : "rendering.shading is none";
+  const std::string unshaded = values_alone ? blend_mode : "rendering.shading is none";
   add(shading, "shading", unshaded);
   add(shading && o.gradient_volume, "gradient_volume", shading ? off : unshaded);
   add(false, "early_termination", "a layer does not see what lies before it");

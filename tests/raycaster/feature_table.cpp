@@ -82,10 +82,10 @@ Value<Features> gradient(const char* name, bool shading, bool by_filter) {
           }};
 }
 
-Parameter<Features> illuminations() {
+Parameter<Features> blend_modes() {
   Parameter<Features> parameter{"illumination", {}};
-  for (const auto& [illumination, name] : names_of<Illumination>())
-    parameter.values.push_back({std::string(name), [=](Features& f) { f.illumination = illumination; }});
+  for (const auto& [blend_mode, name] : names_of<BlendMode>())
+    parameter.values.push_back({std::string(name), [=](Features& f) { f.blend_mode = blend_mode; }});
   return parameter;
 }
 
@@ -103,7 +103,7 @@ std::vector<Parameter<Features>> parameters() {
       samplings(),
       filters(),
       root_filters(),
-      illuminations(),
+      blend_modes(),
       {"gradient",
        {gradient("none", false, false), gradient("central", true, false), gradient("filter", true, true)}},
       flag("several surfaces", &Features::several_peaks),

@@ -57,7 +57,7 @@ TEST_F(Variants, AreAllThatScenesAskFor) {
   int sampled = 0;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     View view = random_view(seed);
-    view.scene.rendering.illumination = Illumination(seed / 4 % 6);
+    view.scene.rendering.blend_mode = BlendMode(seed / 4 % 6);
     Features features;
     try {
       features = find_need(*view.scene.volume, classify(view.scene.tf, surface_range(view.scene)),

@@ -4,7 +4,7 @@
 
 #include "tests/reference/rays.h"
 
-// inside = {f >= v}; a crossing is a change between two stretches of positive length.
+// inside = {f >= v}; a crossing is a change between two parts of positive length.
 namespace crest::testing {
 namespace {
 

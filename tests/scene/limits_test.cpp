@@ -1,4 +1,4 @@
-#include "render/scene/limits.h"
+#include "render/scene/float_precision.h"
 
 #include <gtest/gtest.h>
 

@@ -77,14 +77,15 @@ PlaneStudy PlanePlacement::study;
 
 TEST_F(PlanePlacement, EveryCaseIsThere) {
   EXPECT_EQ(study.series.size(), 16u);
-  for (const PlaneSeries& s : study.series) ASSERT_EQ(s.runs.size(), study_rates.size());
+  for (const PlaneSeries& s : study.series) ASSERT_EQ(s.measurements.size(), study_rates.size());
 }
 
 // With g = 2 tau the absorbing sum depends on the depth alone, and midpoints sum a linear field exactly: all
 // that is left on the linear field is the error of the placement.
 TEST_F(PlanePlacement, CornerIsExactOnTheLinearField) {
-  for (const PlaneRun& run : series("linear", Sum::absorbing, Placement::entry_exit_corner).runs)
-    EXPECT_LT(run.dense_errors.max, 1e-14) << run.rate;
+  for (const PlaneMeasurement& m :
+       series("linear", Sum::absorbing, Placement::entry_exit_corner).measurements)
+    EXPECT_LT(m.dense_errors.max, 1e-14) << m.rate;
 }
 
 TEST_F(PlanePlacement, CornerIsOfSecondOrderOnTheCurvedField) {
@@ -118,33 +119,33 @@ TEST_F(PlanePlacement, ThePapersSumIsOfFirstOrderInAll) {
   for (const std::string_view field : {"linear", "curved"})
     for (const auto& [placement, name] : names_of<Placement>())
       EXPECT_NEAR(series(field, Sum::paper, placement).max_order->order, 1, 0.1) << field << ' ' << name;
-  for (const PlaneRun& run : series("linear", Sum::paper, Placement::entry_exit_corner).runs)
-    EXPECT_GE(run.errors.least, 0) << run.rate;
+  for (const PlaneMeasurement& m : series("linear", Sum::paper, Placement::entry_exit_corner).measurements)
+    EXPECT_GE(m.errors.least, 0) << m.rate;
 }
 
 // The paper's fig. 2 (c): entry_exit drops to nothing at the edges of the square, and only there.
 TEST_F(PlanePlacement, EntryExitLosesTheCorners) {
   const auto rays = fan();
-  for (const PlaneRun& run : series("linear", Sum::absorbing, Placement::entry_exit).runs) {
-    const double step = Square::spacing / run.rate;
+  for (const PlaneMeasurement& m : series("linear", Sum::absorbing, Placement::entry_exit).measurements) {
+    const double step = Square::spacing / m.rate;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (!rays[i]) continue;
       const double exact = study.fields[0].exact[i];
       if (rays[i]->exit - rays[i]->enter < step)
-        EXPECT_EQ(run.intensities[i], 0) << run.rate << ' ' << i;
+        EXPECT_EQ(m.intensities[i], 0) << m.rate << ' ' << i;
       else
-        EXPECT_NEAR(run.intensities[i], exact, 1e-14) << run.rate << ' ' << i;
+        EXPECT_NEAR(m.intensities[i], exact, 1e-14) << m.rate << ' ' << i;
     }
-    EXPECT_EQ(run.errors.unsampled > 0, run.rate < 64) << run.rate;
+    EXPECT_EQ(m.errors.unsampled > 0, m.rate < 64) << m.rate;
   }
 }
 
 // Eye and entry count too much on some rays, and too little on others.
 TEST_F(PlanePlacement, EyeAndEntryAreTooBrightAndTooDark) {
   for (const Placement placement : {Placement::eye, Placement::entry})
-    for (const PlaneRun& run : series("linear", Sum::absorbing, placement).runs) {
-      EXPECT_GT(run.errors.greatest, 0.08 / run.rate) << name_of(placement) << ' ' << run.rate;
-      EXPECT_LT(run.errors.least, -0.08 / run.rate) << name_of(placement) << ' ' << run.rate;
+    for (const PlaneMeasurement& m : series("linear", Sum::absorbing, placement).measurements) {
+      EXPECT_GT(m.errors.greatest, 0.08 / m.rate) << name_of(placement) << ' ' << m.rate;
+      EXPECT_LT(m.errors.least, -0.08 / m.rate) << name_of(placement) << ' ' << m.rate;
     }
 }
 

@@ -31,11 +31,11 @@ Value<Variant> layers(int count) {
 }
 
 Pairwise<Variant> variants() {
-  Parameter<Variant> illuminations{"illumination", {}};
-  for (const auto& [illumination, name] : names_of<Illumination>())
-    illuminations.values.push_back(
-        {std::string(name), [=](Variant& v) { v.rendering.illumination = illumination; }});
-  return {{illuminations,
+  Parameter<Variant> blend_modes{"illumination", {}};
+  for (const auto& [blend_mode, name] : names_of<BlendMode>())
+    blend_modes.values.push_back(
+        {std::string(name), [=](Variant& v) { v.rendering.blend_mode = blend_mode; }});
+  return {{blend_modes,
            {"gradient",
             {gradient("none", Shading::none, true), gradient("central", Shading::gradient, false),
              gradient("volume", Shading::gradient, true)}},

@@ -48,9 +48,9 @@ PlaneErrors errors_of(const View& view, const std::vector<double>& found, Placem
 
 std::optional<OrderFit> order_of(const PlaneSeries& series, double PlaneErrors::*error) {
   std::vector<double> steps, errors;
-  for (const PlaneRun& run : series.runs) {
-    steps.push_back(1.0 / run.rate);
-    errors.push_back(run.dense_errors.*error);
+  for (const PlaneMeasurement& m : series.measurements) {
+    steps.push_back(1.0 / m.rate);
+    errors.push_back(m.dense_errors.*error);
   }
   return fit_order(steps, errors, rounding, int(study_rates.size()));
 }
@@ -58,11 +58,11 @@ std::optional<OrderFit> order_of(const PlaneSeries& series, double PlaneErrors::
 PlaneSeries make_series(const View& view, const View& dense_view, PlaneSeries series) {
   for (const int rate : study_rates) {
     const double step = Square::spacing / rate;
-    PlaneRun run{rate, intensities(view, series.placement, step, series.sum), {}, {}};
-    run.errors = errors_of(view, run.intensities, series.placement, step);
+    PlaneMeasurement m{rate, intensities(view, series.placement, step, series.sum), {}, {}};
+    m.errors = errors_of(view, m.intensities, series.placement, step);
     const auto many = intensities(dense_view, series.placement, step, series.sum);
-    run.dense_errors = errors_of(dense_view, many, series.placement, step);
-    series.runs.push_back(std::move(run));
+    m.dense_errors = errors_of(dense_view, many, series.placement, step);
+    series.measurements.push_back(std::move(m));
   }
   series.max_order = order_of(series, &PlaneErrors::max);
   series.rms_order = order_of(series, &PlaneErrors::rms);

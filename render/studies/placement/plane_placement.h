@@ -30,7 +30,7 @@ struct PlaneErrors {
 };
 
 /// The fan through a square at one rate.
-struct PlaneRun {
+struct PlaneMeasurement {
   int rate = 1;
   std::vector<double> intensities;  ///< by ray of the paper's fan; 0 where it misses the square
   PlaneErrors errors;               ///< of these
@@ -44,7 +44,7 @@ struct PlaneSeries {
   std::string_view field;  ///< "linear", "curved"
   Sum sum;
   Placement placement;
-  std::vector<PlaneRun> runs;
+  std::vector<PlaneMeasurement> measurements;
   /// Of the dense fan's errors, over all rates; nothing where they are those of rounding.
   std::optional<OrderFit> max_order, rms_order;
 };

@@ -63,9 +63,9 @@ std::vector<Row> rows_of(Lab& lab, const std::string& name, const std::vector<Pr
   return {judge(counted(name, Truth::closed_form, empty), worst, pictures)};
 }
 
-/// Changes of side along the line through `values`: inside = {f >= v}, between stretches of positive length.
+/// Changes of side along the line through `values`: inside = {f >= v}, between parts of positive length.
 unsigned crossings_of(const std::vector<double>& values, double v) {
-  std::vector<bool> inside;  // of the stretches, in their order
+  std::vector<bool> inside;  // of the parts, in their order
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double a = values[i - 1], b = values[i];
     if (a == v && b == v) {

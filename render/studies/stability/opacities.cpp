@@ -5,7 +5,7 @@
 
 #include "presets/names.h"
 #include "render/scene/camera.h"
-#include "render/scene/limits.h"
+#include "render/scene/float_precision.h"
 #include "render/studies/stability/cases.h"
 #include "render/studies/stability/haze_and_plane.h"
 

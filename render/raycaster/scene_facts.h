@@ -12,9 +12,10 @@
 
 namespace crest {
 
-/// What find_need is asked, with what follows from it at once. Each of its functions tells why a feature is
-/// not needed, or nothing where it is.
-struct Scenery {
+/// What find_need knows of a scene and its picture: what it was asked for, and what follows from that at
+/// once. Each function `why_no_...` tells why the scene does not need a feature, and returns "" where it
+/// does.
+struct SceneFacts {
   const Grid& grid;
   const VolumeStatistics& statistics;
   const Classification& classification;
@@ -29,9 +30,9 @@ struct Scenery {
   ValueRange dvr_field() const { return field_range(dvr_filter(rendering), statistics.range); }
   ValueRange surface_field() const { return field_range(root_filter(rendering), statistics.range); }
   const std::vector<Peak>& surfaces() const { return classification.surfaces; }
-  bool is_semi_transparent() const { return rendering.illumination == Illumination::semi_transparent; }
-  std::string illumination() const {
-    return fmt::format("rendering.illumination is {}", name_of(rendering.illumination));
+  bool is_semi_transparent() const { return rendering.blend_mode == BlendMode::semi_transparent; }
+  std::string blend_mode() const {
+    return fmt::format("rendering.illumination is {}", name_of(rendering.blend_mode));
   }
   std::string mode() const { return fmt::format("the mode is {}", name_of(rendering.mode)); }
   bool is_split() const { return crest::is_split(rendering.peak_form); }
@@ -55,9 +56,9 @@ struct Scenery {
     return why_no_base_tf().empty() ? classification.base : classification.tf;
   }
   double aspect() const { return double(size.x) / size.y; }
-  /// Stretches of a ray that are marched on their own, at most: each may take two intervals more.
+  /// The most spans of a ray that are marched on their own: each may take two intervals more.
   int spans(const Features& features) const;
-  /// Rounds of the loops that walk along a ray.
+  /// The most rounds of the loops that walk along a ray from cell to cell.
   int walk_rounds(const Features& features) const;
 };
 

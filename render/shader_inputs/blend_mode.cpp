@@ -1,4 +1,4 @@
-#include "render/shader_inputs/illumination.h"
+#include "render/shader_inputs/blend_mode.h"
 
 #include "render/classify/tf_table.h"
 #include "render/gl/uniforms.h"
@@ -7,7 +7,7 @@ namespace crest {
 
 double iso_opacity(const TransferFunction& tf, ValueRange field) { return 0.5 * largest_opacity(tf, field); }
 
-void bind_illumination(GLuint program, const Scene& scene, const StoredUnits& units) {
+void bind_blend_mode(GLuint program, const Scene& scene, const StoredUnits& units) {
   const ValueRange field = scene.volume->statistics.range;
   const double spacing = scene.volume->grid.smallest_spacing(), width = units.stored(field).width();
   gl::set(program, "value_min_scale", glm::vec2(units.stored(field.min), width > 0 ? 1 / width : 0));
@@ -16,18 +16,18 @@ void bind_illumination(GLuint program, const Scene& scene, const StoredUnits& un
   gl::set(program, "sample_thickness", float(scene.tf.unit_distance / spacing));
 }
 
-void set_blending(Illumination illumination, bool back_to_front) {
+void set_blending(BlendMode blend_mode, bool back_to_front) {
   glBlendEquation(GL_FUNC_ADD);
-  switch (illumination) {
-    case Illumination::maximum:
+  switch (blend_mode) {
+    case BlendMode::maximum:
       return glBlendEquation(GL_MAX);
-    case Illumination::minimum:
+    case BlendMode::minimum:
       return glBlendEquation(GL_MIN);
-    case Illumination::mean:
+    case BlendMode::mean:
       return glBlendFunc(GL_ONE, GL_ONE);
-    case Illumination::semi_transparent:
-    case Illumination::lookup:
-    case Illumination::iso_surface:
+    case BlendMode::semi_transparent:
+    case BlendMode::lookup:
+    case BlendMode::iso_surface:
       break;
   }
   if (back_to_front)

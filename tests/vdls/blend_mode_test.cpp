@@ -31,23 +31,23 @@ TEST_F(Filters, AreTheirFormulas) {
     for (const int n : {16, 32}) {
       Scene scene = slab();
       scene.rendering.step = 16.0 / n * (1 + 1e-5);
-      const auto shown = [&](Illumination illumination) {
-        scene.rendering.illumination = illumination;
+      const auto shown = [&](BlendMode blend_mode) {
+        scene.rendering.blend_mode = blend_mode;
         return pixel(scene, engine);
       };
-      const auto expect = [&](Illumination illumination, glm::dvec4 expected) {
-        const glm::vec4 found = shown(illumination);
+      const auto expect = [&](BlendMode blend_mode, glm::dvec4 expected) {
+        const glm::vec4 found = shown(blend_mode);
         for (int channel = 0; channel < 4; ++channel)
           EXPECT_NEAR(found[channel], expected[channel], 2e-6)
-              << name_of(engine) << ' ' << n << ' ' << name_of(illumination) << ' ' << channel;
+              << name_of(engine) << ' ' << n << ' ' << name_of(blend_mode) << ' ' << channel;
       };
       const double clear = std::pow(0.6, 8.0 / 4), stacked = std::pow(0.6, n / 2);
-      expect(Illumination::semi_transparent, {1 - clear, 0.5 * (1 - clear), 0, 1 - clear});
-      expect(Illumination::lookup, {1 - stacked, 0.5 * (1 - stacked), 0, 1 - stacked});
-      expect(Illumination::iso_surface, glm::dvec4(1));
-      expect(Illumination::maximum, {glm::dvec3(1 - 0.5 / n), 1});
-      expect(Illumination::minimum, {glm::dvec3(0.5 / n), 1});
-      expect(Illumination::mean, {glm::dvec3(0.5), 1});
+      expect(BlendMode::semi_transparent, {1 - clear, 0.5 * (1 - clear), 0, 1 - clear});
+      expect(BlendMode::lookup, {1 - stacked, 0.5 * (1 - stacked), 0, 1 - stacked});
+      expect(BlendMode::iso_surface, glm::dvec4(1));
+      expect(BlendMode::maximum, {glm::dvec3(1 - 0.5 / n), 1});
+      expect(BlendMode::minimum, {glm::dvec3(0.5 / n), 1});
+      expect(BlendMode::mean, {glm::dvec3(0.5), 1});
     }
 }
 
@@ -60,9 +60,9 @@ TEST_F(Filters, BothEnginesShowTheSame) {
   backwards.back_to_front = true;
   backwards.layers_per_pass = 3;
   direct.gradient_volume = backwards.gradient_volume = false;
-  for (const auto& [illumination, name] : names_of<Illumination>())
+  for (const auto& [blend_mode, name] : names_of<BlendMode>())
     for (const VdlsOptions& options : {direct, backwards}) {
-      scene.rendering.illumination = illumination;
+      scene.rendering.blend_mode = blend_mode;
       EXPECT_LT(difference(scene, camera, options), 2 * rounding) << name;
       EXPECT_EQ(render(scene, camera, {40, 40}, Engine::vdls).at(0, 0), glm::vec4(0)) << name;
     }
@@ -72,8 +72,8 @@ TEST_F(Filters, BothEnginesShowTheSame) {
 TEST_F(Filters, JoinThePassesOfLongRays) {
   Scene scene = dvr_scene(builtin("gyroid?n=20"), "smooth-haze", 0.25);
   const Camera camera = whole_volume_camera(scene.volume->grid, 1);
-  for (const auto& [illumination, name] : names_of<Illumination>()) {
-    scene.rendering.illumination = illumination;
+  for (const auto& [blend_mode, name] : names_of<BlendMode>()) {
+    scene.rendering.blend_mode = blend_mode;
     renderer.raycaster().force({});
     const Image once = render(scene, camera, {40, 40}, Engine::raycaster);
     Forced forced;
@@ -91,13 +91,13 @@ TEST_F(Filters, IsoSurfacesLeapFurther) {
   scene.tf = make_tf({point(value(0), 0), point(value(0.3), 0), point(value(1), 0.8)});
   scene.rendering.mode = Mode::dvr_only;
   const Camera camera = whole_volume_camera(scene.volume->grid, 1);
-  const auto samples = [&](Illumination illumination) {
-    scene.rendering.illumination = illumination;
+  const auto samples = [&](BlendMode blend_mode) {
+    scene.rendering.blend_mode = blend_mode;
     EXPECT_LT(difference(scene, camera, {}), rounding);
     return sum_of(counts(scene, camera, {40, 40}, Engine::vdls)).samples;
   };
-  const double soft = samples(Illumination::semi_transparent), all = samples(Illumination::maximum);
-  EXPECT_LT(samples(Illumination::iso_surface), 0.9 * soft);
+  const double soft = samples(BlendMode::semi_transparent), all = samples(BlendMode::maximum);
+  EXPECT_LT(samples(BlendMode::iso_surface), 0.9 * soft);
   EXPECT_LE(soft, all);
 }
 

@@ -1,6 +1,6 @@
 // The march of the post-shaded filters other than semi_transparent.
 
-#include "illumination.glsl"
+#include "blend_mode.glsl"
 
 float ray_length;  // in the box
 

@@ -12,29 +12,29 @@ uniform float iso_extinction;    // iso_surface: a sample that absorbs no less i
 uniform float sample_thickness;  // lookup: what a sample stands for, whatever the step: the TF's unit distance
 
 // What is there before the first sample, to be combined with it.
-const vec4 nothing_gathered = vec4(ILLUMINATION_MINIMUM);
+const vec4 nothing_gathered = vec4(BLEND_MINIMUM);
 
 // `light` is the shading's, `size` that of the sample's segment, and `share` what that is of the ray.
 void gather(float value, float light, float size, float share) {
-#if ILLUMINATION_MAXIMUM || ILLUMINATION_MINIMUM || ILLUMINATION_MEAN
+#if BLEND_MAXIMUM || BLEND_MINIMUM || BLEND_MEAN
   vec4 grey = vec4(vec3(clamp((value - value_min_scale.x) * value_min_scale.y, 0.0, 1.0)), 1.0);
-#if ILLUMINATION_MAXIMUM
+#if BLEND_MAXIMUM
   collected = max(collected, grey);
-#elif ILLUMINATION_MINIMUM
+#elif BLEND_MINIMUM
   collected = min(collected, grey);
 #else
   collected += share * grey;
 #endif
 #else
   vec4 material = classify(value);
-#if ILLUMINATION_ISO_SURFACE
+#if BLEND_ISO_SURFACE
   COMPOSITE(vec3(light), float(material.a >= iso_extinction));
-#elif ILLUMINATION_LOOKUP
+#elif BLEND_LOOKUP
   COMPOSITE(material.rgb * light, opacity_of(material.a * sample_thickness));
-#elif ILLUMINATION_SEMI_TRANSPARENT
+#elif BLEND_SEMI_TRANSPARENT
   COMPOSITE(material.rgb * light, opacity_of(material.a * size));
 #else
-#error The illumination is not known here.
+#error The blend mode is not known here.
 #endif
 #endif
 }

@@ -1,4 +1,4 @@
-#include "render/raycaster/scenery.h"
+#include "render/raycaster/scene_facts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,33 +6,33 @@
 
 #include "render/classify/peak_table.h"
 #include "render/scene/view.h"
-#include "render/shader_inputs/illumination.h"
+#include "render/shader_inputs/blend_mode.h"
 #include "render/volume/largest_change.h"
 #include "render/volume/macrocells.h"
 
 namespace crest {
 
-int Scenery::spans(const Features& features) const {
+int SceneFacts::spans(const Features& features) const {
   const int cells = grid.dims.x + grid.dims.y + grid.dims.z;
   return 1 + (features.empty_cells ? cells : 0) +
          (features.adaptive ? cells / macrocell_side(grid, statistics) + 3 : 0);
 }
 
-int Scenery::walk_rounds(const Features& features) const {
+int SceneFacts::walk_rounds(const Features& features) const {
   const int cells = grid.dims.x + grid.dims.y + grid.dims.z;
   const int macrocells =
       features.adaptive || features.skipping ? 4 * (cells / macrocell_side(grid, statistics) + 3) : 0;
   return (features.empty_cells ? 2 * cells : 0) + macrocells;
 }
 
-std::string Scenery::why_nothing() const {
+std::string SceneFacts::why_nothing() const {
   if (box.is_empty()) return "the clip box leaves nothing of the volume";
   return may_see(camera, aspect(), box) ? "" : "the camera does not see the volume";
 }
 
 // The base TF holds also where no spike's own value is in the field's range: its flanks may be.
-std::string Scenery::why_no_base_tf() const {
-  if (!is_semi_transparent()) return illumination();
+std::string SceneFacts::why_no_base_tf() const {
+  if (!is_semi_transparent()) return blend_mode();
   if (!is_exclusive(rendering.mode)) return "the mode is not PEAK_XOR_DVR";
   if (!is_split()) return "the peak form is the paper's";
   const auto& points = classification.tf.points;
@@ -44,25 +44,25 @@ std::string Scenery::why_no_base_tf() const {
                                                            : "no spike in the volume's range is a surface";
 }
 
-std::string Scenery::why_no_dvr() const {
+std::string SceneFacts::why_no_dvr() const {
   if (!shows_dvr(rendering.mode)) return mode();
-  if (shows_values(rendering.illumination)) return "";
+  if (shows_values(rendering.blend_mode)) return "";
   if (largest_opacity(dvr_tf(), dvr_field()) > 0) return "";
   if (largest_opacity(classification.tf, dvr_field()) > 0)
     return "without its spikes, which are surfaces, the transfer function shows nothing";
   return "the transfer function shows nothing in the volume's range";
 }
 
-std::string Scenery::why_no_peaks() const {
+std::string SceneFacts::why_no_peaks() const {
   if (!shows_surfaces(rendering.mode)) return mode();
-  if (shows_dvr(rendering.mode) && !is_semi_transparent()) return illumination();
+  if (shows_dvr(rendering.mode) && !is_semi_transparent()) return blend_mode();
   if (!surfaces().empty()) return "";
   if (classification.peaks.empty()) return "the transfer function has no peak";
   const bool shown = std::ranges::any_of(classification.peaks, &Peak::shown);
   return shown ? "no surface lies in the volume's range" : "no peak is shown as a surface";
 }
 
-std::string Scenery::why_no_several_peaks(int peak_bins) const {
+std::string SceneFacts::why_no_several_peaks(int peak_bins) const {
   if (surfaces().size() == 1) return "there is one surface";
   const double reach =
       largest_change(grid, statistics, root_filter(rendering), steps.longest * grid.smallest_spacing());
@@ -72,25 +72,25 @@ std::string Scenery::why_no_several_peaks(int peak_bins) const {
   return fmt::format("values change by {:.3g} at most in a step, and surfaces are {:.3g} apart", reach, gap);
 }
 
-std::string Scenery::why_no_preintegration() const {
-  if (!is_semi_transparent()) return illumination();
+std::string SceneFacts::why_no_preintegration() const {
+  if (!is_semi_transparent()) return blend_mode();
   if (is_preintegrated(rendering.classification)) return why_no_dvr();
   return fmt::format("rendering.classification is {}", name_of(rendering.classification));
 }
 
-std::string Scenery::why_no_preintegration_table() const {
+std::string SceneFacts::why_no_preintegration_table() const {
   if (const std::string none = why_no_preintegration(); !none.empty()) return none;
   return holds_one_length(rendering.classification) ? "" : "antiderivatives hold for every length";
 }
 
-std::string Scenery::why_no_own_root_filter(const Features& features) const {
+std::string SceneFacts::why_no_own_root_filter(const Features& features) const {
   const FieldFilter dvr = dvr_filter(rendering), root = root_filter(rendering);
   if (dvr == root) return fmt::format("surfaces lie in the field of the samples: {}", name_of(root.kind));
   if (!features.peaks) return why_no_peaks();
   return features.dvr ? "" : why_no_dvr();
 }
 
-std::string Scenery::why_no_filter_gradient(const Features& features) const {
+std::string SceneFacts::why_no_filter_gradient(const Features& features) const {
   if (!features.shading) return "there is no shading";
   switch (rendering.gradient) {
     case Gradient::filter:
@@ -101,7 +101,7 @@ std::string Scenery::why_no_filter_gradient(const Features& features) const {
   return fmt::format("rendering.gradient is {}", name_of(rendering.gradient));
 }
 
-std::string Scenery::why_no_clip_box() const {
+std::string SceneFacts::why_no_clip_box() const {
   if (!rendering.clip_box) return "rendering.clip_box is not set";
   const bool takes_away = box.min != grid.box_min() || box.max != grid.box_max();
   return takes_away ? "" : "the whole volume lies in it";
@@ -109,7 +109,7 @@ std::string Scenery::why_no_clip_box() const {
 
 // Not even a ray that is as long as any, through the densest material, with as many crossings of the most
 // opaque surface as its steps can hold, becomes that dark.
-std::string Scenery::why_no_early_termination(const Features& features) const {
+std::string SceneFacts::why_no_early_termination(const Features& features) const {
   if (!(rendering.early_termination > 0)) return "rendering.early_termination is 0";
   double depth = 0;
   if (features.dvr)
@@ -125,7 +125,7 @@ std::string Scenery::why_no_early_termination(const Features& features) const {
   return fmt::format("no ray can lose more than {:.3g} of its light", 1 - least);
 }
 
-std::string Scenery::why_no_empty_cells() const {
+std::string SceneFacts::why_no_empty_cells() const {
   if (statistics.empty_max.x < statistics.empty_min.x)
     return fmt::format("all {} voxels have a value", grid.point_count());
   const double around = support_radius(rendering) - 1;  // the statistics' cells are those of radius 1
@@ -139,7 +139,7 @@ std::string Scenery::why_no_empty_cells() const {
   return may_see(camera, aspect(), met) ? "" : "no cell without a value is in view";
 }
 
-std::string Scenery::why_no_long_rays(const Need& need) const {
+std::string SceneFacts::why_no_long_rays(const Need& need) const {
   if (need.intervals > need.intervals_per_pass) return "";
   return fmt::format("{} intervals of the longest ray are few enough for one pass", need.intervals);
 }
