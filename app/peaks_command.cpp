@@ -56,7 +56,7 @@ void print_table(const PeakTable& table, const std::vector<Peak>& surfaces) {
 void print_peaks(const PeaksOptions& options) {
   const Preset preset = load_preset(options.preset);
   TransferFunction tf = preset.transfer_function;
-  ValueRange range = tf.span();
+  ValueRange range = tf.range();
   if (!options.volume.empty()) {
     const Volume volume = load_volume(options.volume);
     range = volume.statistics.range;

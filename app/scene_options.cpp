@@ -101,7 +101,7 @@ Preset SceneOptions::for_volume(Preset result, const Volume& loaded, double aspe
   }
   if (fit_range && result.transfer_function.domain == Domain::data)
     result.transfer_function =
-        remap_values(result.transfer_function, result.transfer_function.span(), loaded.statistics.range);
+        remap_values(result.transfer_function, result.transfer_function.range(), loaded.statistics.range);
   return result;
 }
 

@@ -111,6 +111,7 @@ void Studio::take_loaded_volume() {
 void Studio::open_preset(const std::string& name_or_path) {
   try {
     Preset preset = load_preset(name_or_path);
+    fit_ = nullptr;  // was for the preset of the command line
     const bool is_file = std::filesystem::exists(name_or_path);
     document_.preset = std::move(preset);
     document_.preset_path = is_file ? std::filesystem::path(name_or_path) : std::filesystem::path();
@@ -145,6 +146,7 @@ void Studio::open(const std::string& source) {
 void Studio::handle(const StudioRequests& requests) {
   quit_ = requests.quit;
   if (requests.new_preset) {
+    fit_ = nullptr;
     document_.preset = Preset{};
     document_.preset.transfer_function = default_transfer_function();
     document_.preset_path.clear();
@@ -221,8 +223,11 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   handle(requests);
   for (const glm::ivec2 size : requests.view_pixels)
     if (size.x > 0) view_aspect_ = aspect_of(size);
-  // At the start nothing is loaded, and undo can bring back another volume
-  if (!is_loading() && document_.volume_source != loaded_.source && !document_.volume_source.empty()) {
+  // At the start nothing is loaded, and undo can bring back another volume, also while one is read
+  const bool reads_what_is_wanted =
+      is_loading() && (!loading_for_document_ || loader_.source() == document_.volume_source);
+  if (!reads_what_is_wanted && document_.volume_source != loaded_.source &&
+      !document_.volume_source.empty()) {
     start_loading(document_.volume_source);
     loading_for_document_ = true;
   }

@@ -37,24 +37,8 @@ Document initial_document(const StudioOptions& options) {
   return document;
 }
 
-bool is_file_or_folder(const std::string& source) {
-  std::error_code ignored;
-  return std::filesystem::exists(source.substr(0, source.find('?')), ignored) ||
-         std::filesystem::exists(source, ignored);
-}
-
-/// The window until it is closed. Returns whether a thread still reads a volume.
-bool run_window(const StudioOptions& options) {
+void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
   using Clock = std::chrono::steady_clock;
-  Document document = initial_document(options);
-  Window window("Crest", 1720, 1160);
-  apply_style(window.content_scale());
-  Studio studio(
-      std::move(document),
-      [scene = options.scene](Preset preset, const Volume& volume, double aspect) {
-        return scene.for_volume(std::move(preset), volume, aspect);
-      },
-      options.shader_folder);
   FrameLog log;
   LayoutFile layout(options.layout_file);
   Clock::time_point last_input = Clock::now();
@@ -86,22 +70,40 @@ bool run_window(const StudioOptions& options) {
     layout.update(studio);
   }
   if (!options.frame_log.empty()) write_file_atomically(options.frame_log, log.summary());
-  return studio.leaves_thread();
 }
 
-/// A reader cannot be stopped, and quitting does not wait for it: the program then ends without taking apart
-/// what the reader uses.
+/// The window until it is closed. A reader cannot be stopped, and quitting does not wait for it: where a
+/// thread still reads a volume, the program ends without taking apart what the thread uses.
+void run_window(const StudioOptions& options) {
+  Document document = initial_document(options);
+  Window window("Crest", 1720, 1160);
+  apply_style(window.content_scale());
+  Studio studio(
+      std::move(document),
+      [scene = options.scene](Preset preset, const Volume& volume, double aspect) {
+        return scene.for_volume(std::move(preset), volume, aspect);
+      },
+      options.shader_folder);
+  try {
+    run_frames(options, window, studio);
+  } catch (const std::exception& error) {
+    if (!studio.leaves_thread()) throw;
+    fmt::print(stderr, "crest: {}\n", error.what());
+    std::_Exit(1);
+  }
+  if (studio.leaves_thread()) std::_Exit(0);
+}
+
 void open_studio(const StudioOptions& options) {
   // What is not there is told before a window opens, as reading it does
-  if (const std::string& source = options.scene.volume;
-      !source.empty() && !source.starts_with("builtin:") && !is_file_or_folder(source))
+  if (const std::string& source = options.scene.volume; !source.empty() && !is_volume_there(source))
     load_volume(source);
-  if (run_window(options)) std::_Exit(0);
+  run_window(options);
 }
 
 /// A word that stands alone could be a mistyped command.
 void expect_volume(const std::string& source) {
-  if (source.find_first_of("./:?") == source.npos && !is_file_or_folder(source))
+  if (source.find_first_of("./:?") == source.npos && !is_volume_there(source))
     throw UsageError("VOLUME", fmt::format("'{}' is neither a command nor a file or folder", source));
 }
 

@@ -61,6 +61,7 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
     view.error.clear();
     ++view.wanted_version;
     view.is_counted = false;
+    view.full.reset();
     const bool keep = view.pass && view.pass->coarseness > 1 && view.pass->request.size == view.wanted.size &&
                       view.pass->request.scene.volume == view.wanted.scene.volume;
     if (!keep) view.pass.reset();
@@ -100,6 +101,7 @@ void ViewRenderer::give_up(View& view, std::string why) {
   view.shown_version = view.wanted_version;
   view.shown_coarseness = 1;
   view.is_counted = true;
+  view.full.reset();
 }
 
 bool ViewRenderer::is_busy() const {
@@ -198,12 +200,14 @@ void ViewRenderer::finish_pass(View& view) {
                      size.y);
   view.shown_version = pass.version;
   view.shown_coarseness = pass.coarseness;
+  if (pass.coarseness == 1) view.full = std::move(pass.target);
 }
 
 void ViewRenderer::count_costs(View& view) {
   gl::RenderTarget target(coarse_size(view.wanted.size, count_coarseness), true);
   view.counts = sum_of(renderer_.draw_counts(view.wanted.scene, view.wanted.camera, target));
   tell_if_nothing_is_visible(view, target.read_color());
+  view.full.reset();
   view.is_counted = true;
 }
 
@@ -211,10 +215,8 @@ void ViewRenderer::count_costs(View& view) {
 void ViewRenderer::tell_if_nothing_is_visible(View& view, const Image& small) {
   const Scene& scene = view.wanted.scene;
   const glm::vec3 background(scene.rendering.background);
-  if (has_visible_pixel(small, background)) return;
-  gl::RenderTarget full(view.wanted.size, false);
-  renderer_.draw(scene, view.wanted.camera, full);
-  if (!has_visible_pixel(full.read_color(), background))
+  if (has_visible_pixel(small, background) || !view.full) return;
+  if (!has_visible_pixel(view.full->read_color(), background))
     view.nothing_visible = why_nothing_is_visible(scene, view.wanted.camera, view.wanted.size);
 }
 

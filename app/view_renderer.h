@@ -79,6 +79,8 @@ class ViewRenderer {
     PictureNeed need;
     RenderCounts counts;
     bool is_counted = false;
+    std::unique_ptr<gl::RenderTarget>
+        full;  ///< the picture in full, until it is known whether it shows anything
   };
 
   void take_times();

@@ -12,7 +12,8 @@ namespace crest {
 
 /// Reads volumes beside the window; the one that was asked for last counts. A reader cannot be stopped in the
 /// midst of a library's call: what is no longer wanted is let go, in a thread that holds nothing but its own
-/// data, and what it finds is dropped. No call waits.
+/// data, and what it finds is dropped. No call waits; but ITK and OpenImageIO read one file at a time
+/// (readers/silence.h), so that the next one may wait for one that was let go.
 class VolumeLoader {
  public:
   using Read = std::function<Volume(const std::string& source)>;

@@ -18,7 +18,7 @@ struct Rows {
   int count;
 
   Rows(const TransferFunction& tf, const ExportOptions& options)
-      : min(tf.span().min), max(tf.span().width() > 0 ? tf.span().max : min + 1), count(options.samples) {
+      : min(tf.range().min), max(tf.range().width() > 0 ? tf.range().max : min + 1), count(options.samples) {
     if (count < 2 || count > most_samples)
       throw Error(fmt::format("{} samples are not in [2, {}]", count, most_samples));
   }

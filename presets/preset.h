@@ -78,7 +78,7 @@ struct Rendering {
   std::optional<Filter> root_filter;      ///< of the surfaces; without one, the same
   double bc_b = 1.0 / 3, bc_c = 1.0 / 3;  ///< Mitchell and Netravali's, -10..10
   int max_peaks = 4;    ///< most crossings that one step composites in the paper's form, 1..64
-  int peak_bins = 128;  ///< bins of the peak table on each axis, 1..4096
+  int peak_bins = 128;  ///< bins of the peak table, 1..4096
   Shading shading = Shading::none;
   Gradient gradient = Gradient::central;
   BlendMode blend_mode = BlendMode::semi_transparent;  ///< others show no surfaces of peaks

@@ -23,7 +23,7 @@ Classified between(const ControlPoint& a, const ControlPoint& b, double value) {
 
 }  // namespace
 
-ValueRange TransferFunction::span() const {
+ValueRange TransferFunction::range() const {
   return points.empty() ? ValueRange{} : ValueRange{points.front().value, points.back().value};
 }
 

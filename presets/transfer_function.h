@@ -8,7 +8,7 @@
 
 namespace crest {
 
-/// A closed interval of values.
+/// The values from `min` to `max`, both included.
 struct ValueRange {
   double min = 0, max = 1;
   double width() const { return max - min; }
@@ -48,12 +48,12 @@ struct TransferFunction {
   double min_prominence = 0;  ///< least topographic prominence of a peak, in opacity
   double plateau_width = 0;   ///< a flat top narrower than this is one peak; in the domain's units
   double spike_width =
-      0.01;  ///< a peak whose neighbours are no further apart is a spike; fraction of the span
+      0.01;  ///< a peak whose neighbours are no further apart is a spike; fraction of the points' range
   std::vector<ControlPoint> points;
   std::string unknown;
 
   /// From the first point's value to the last one's.
-  ValueRange span() const;
+  ValueRange range() const;
   bool operator==(const TransferFunction&) const = default;
 };
 

@@ -35,7 +35,7 @@ std::vector<std::string> scene_notes(const Scene& scene) {
   if (range.width() == 0)
     notes.push_back(fmt::format("The volume is constant: every value is {:.6g}.", range.min));
   if (scene.tf.points.empty()) return notes;
-  const ValueRange span = scene.tf.span();
+  const ValueRange span = scene.tf.range();
   if (span.max < range.min || span.min > range.max)
     notes.push_back(
         fmt::format("No point of the transfer function, from {:.6g} to {:.6g}, lies in the volume's range, "

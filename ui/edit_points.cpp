@@ -195,8 +195,8 @@ ValueRange range_in_domain(const TransferFunction& tf, ValueRange volume_range) 
 }
 
 TransferFunction fitted(const TransferFunction& tf, ValueRange volume_range) {
-  if (tf.points.empty() || !(tf.span().width() > 0)) return tf;
-  return remap_values(tf, tf.span(), range_in_domain(tf, with_width(volume_range)));
+  if (tf.points.empty() || !(tf.range().width() > 0)) return tf;
+  return remap_values(tf, tf.range(), range_in_domain(tf, with_width(volume_range)));
 }
 
 TransferFunction in_domain(const TransferFunction& tf, Domain domain, ValueRange volume_range) {

@@ -75,7 +75,7 @@ std::string place_text(const TransferFunction& tf, const Plot& plot) {
 ValueRange axis_range(const TransferFunction& tf, const Volume* volume) {
   const ValueRange range = range_in_domain(tf, volume_range(volume));
   if (tf.points.empty()) return whole_range(range, range);
-  const ValueRange span = tf.span();
+  const ValueRange span = tf.range();
   return whole_range(volume || tf.domain == Domain::normalized ? range : span, span);
 }
 

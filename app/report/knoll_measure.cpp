@@ -9,8 +9,8 @@
 namespace crest {
 namespace {
 
-/// A piece of the work that is done whole or left out.
-struct Piece {
+/// Some work that is done whole or left out.
+struct Task {
   std::string what;
   std::function<void()> work;
 };
@@ -104,13 +104,13 @@ constexpr PaperTable2Row paper_table2[] = {
 /// Of fig. 7's caption.
 constexpr PaperSampling paper_post_bspline{1.0, 2.7, 0, 0};
 
-std::vector<Piece> table2_pieces(Measuring& m, HeldConstant held) {
-  std::vector<Piece> pieces;
+std::vector<Task> table2_tasks(Measuring& m, HeldConstant held) {
+  std::vector<Task> tasks;
   const auto add = [&](const char* scene, const Variant& method, const PaperSampling& paper) {
-    pieces.push_back({fmt::format("table 2, {}: {}, {}",
-                                  held == HeldConstant::quality ? "equal quality" : "equal frame rate", scene,
-                                  method.name),
-                      [&m, held, scene, method, paper] { m.add_sampling(held, scene, method, paper); }});
+    tasks.push_back({fmt::format("table 2, {}: {}, {}",
+                                 held == HeldConstant::quality ? "equal quality" : "equal frame rate", scene,
+                                 method.name),
+                     [&m, held, scene, method, paper] { m.add_sampling(held, scene, method, paper); }});
   };
   for (const PaperTable2Row& row : paper_table2) {
     if (row.held != held) continue;
@@ -119,20 +119,20 @@ std::vector<Piece> table2_pieces(Measuring& m, HeldConstant held) {
     if (row.scene == std::string_view("aneurism-far"))
       add(row.scene, post_bspline_method(), paper_post_bspline);
   }
-  return pieces;
+  return tasks;
 }
 
 /// The most informative first.
-std::vector<Piece> all_pieces(Measuring& m) {
-  std::vector<Piece> pieces;
+std::vector<Task> all_tasks(Measuring& m) {
+  std::vector<Task> tasks;
   for (const KnollSceneRow& row : knoll_scene_rows())
     if (!row.paper.dataset.empty())
-      pieces.push_back({fmt::format("table 1: {}", row.title), [&m, &row] { m.add_table1_row(row); }});
-  pieces.push_back({"the tables' build times", [&m] { m.add_builds(); }});
-  pieces.push_back({"the tables' bins", [&m] { m.add_bins(); }});
+      tasks.push_back({fmt::format("table 1: {}", row.title), [&m, &row] { m.add_table1_row(row); }});
+  tasks.push_back({"the tables' build times", [&m] { m.add_builds(); }});
+  tasks.push_back({"the tables' bins", [&m] { m.add_bins(); }});
   for (const HeldConstant held : {HeldConstant::quality, HeldConstant::frame_rate})
-    for (Piece& piece : table2_pieces(m, held)) pieces.push_back(std::move(piece));
-  return pieces;
+    for (Task& task : table2_tasks(m, held)) tasks.push_back(std::move(task));
+  return tasks;
 }
 
 }  // namespace
@@ -143,16 +143,16 @@ KnollResults measure_knoll(KnollLab& lab, KnollScenes& scenes, std::optional<dou
   Measuring measuring{lab, scenes, {}};
   const auto begin = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
-  double last_piece = 0;
-  for (const Piece& piece : all_pieces(measuring)) {
+  double last_task = 0;
+  for (const Task& task : all_tasks(measuring)) {
     const double now = seconds();
-    if (budget_seconds && now + last_piece >= *budget_seconds) {
-      measuring.results.left_out.push_back({piece.what, "the budget had no time for it"});
+    if (budget_seconds && now + last_task >= *budget_seconds) {
+      measuring.results.left_out.push_back({task.what, "the budget had no time for it"});
       continue;
     }
-    tell(piece.what);
-    piece.work();
-    last_piece = seconds() - now;
+    tell(task.what);
+    task.work();
+    last_task = seconds() - now;
   }
   return std::move(measuring.results);
 }

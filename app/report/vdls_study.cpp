@@ -100,8 +100,8 @@ struct Points {
   }
 };
 
-/// Figure 5: an interval of values is opaque, one after the other.
-VdlsSeries study_intervals(Lab& lab, const VdlsScene& hydrogen) {
+/// Figure 5: a range of values is opaque, one after the other.
+VdlsSeries study_ranges(Lab& lab, const VdlsScene& hydrogen) {
   VdlsOptions without;
   without.homo_regions = false;
   auto setups = engine_setups();
@@ -117,7 +117,7 @@ VdlsSeries study_intervals(Lab& lab, const VdlsScene& hydrogen) {
   Points points;
   for (int i = 0; i < intervals; ++i) {
     const double from = double(i) / intervals, to = double(i + 1) / intervals;
-    scene.tf = opaque_interval(scene.volume->statistics.range, from, to);
+    scene.tf = opaque_range(scene.volume->statistics.range, from, to);
     points.add(i + 1, fmt::format("{:.3f} to {:.3f}", from, to), {scene, lab.size, setups});
   }
   series.points = points.timed(lab, 0.12);
@@ -254,7 +254,7 @@ void study(VdlsReport& report, Lab& lab, const std::filesystem::path& folder) {
   const auto scenes = vdls_scenes(folder);
   study_table(report, lab, scenes);
   fmt::print(stderr, "figures 5 to 8\n");
-  report.series.push_back(study_intervals(lab, scenes[2]));
+  report.series.push_back(study_ranges(lab, scenes[2]));
   study_quadtrees(report, lab, scenes[5]);
   report.series.push_back(study_layers(lab, scenes[5]));
   study_scaling(report, lab);

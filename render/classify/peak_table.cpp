@@ -14,11 +14,11 @@ namespace {
 
 /// The bins that a field value equal to a peak may fall into, whatever order and precision the arithmetic of
 /// PeakTable::bin_of has.
-struct BinInterval {
+struct BinRange {
   int low = 0, high = 0;
 };
 
-BinInterval bins_at(const PeakTable& table, double value) {
+BinRange bins_at(const PeakTable& table, double value) {
   const double v = float(value), min = float(table.range.min), scale = table.bin_scale();
   const double position = (v - min) * scale;
   // Each of the terms and the product rounds to 2^-24 at most, and FLT_MIN is what flushing may take; twice
@@ -90,7 +90,7 @@ PeakTable build_peak_table(std::span<const Peak> peaks, ValueRange range, int bi
                   .past_peak_to = std::vector<int>(std::size_t(bins), first_inside)};
   int from = 0;
   for (int i = first_inside; i < past_inside; ++i) {
-    const BinInterval at = bins_at(table, peaks[std::size_t(i)].value);
+    const BinRange at = bins_at(table, peaks[std::size_t(i)].value);
     for (; from <= at.high; ++from) table.first_peak_from[std::size_t(from)] = i;
     table.past_peak_to[std::size_t(at.low)] = i + 1;
   }

@@ -20,7 +20,7 @@ struct PeakTable {
     int first = 0, count = 0;
     bool operator==(const Cell&) const = default;
   };
-  int bins = 0;                      ///< on each axis, at least 1
+  int bins = 0;                      ///< of the two arrays, at least 1
   ValueRange range;                  ///< of the field; values beyond count to the end bins
   std::vector<int> first_peak_from;  ///< by bin: the first peak that may be in it or above
   std::vector<int> past_peak_to;     ///< by bin: one past the last peak that may be in it or below

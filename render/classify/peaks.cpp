@@ -147,7 +147,7 @@ std::vector<Peak> find_peaks(const TransferFunction& tf) {
   const std::vector<std::size_t> flank_ends = flank_ends_of(points, runs);
   const std::vector<double> prominences = prominences_of(points);
   const double widest_spike =
-      tf.spike_width * tf.span().width() * (1 + 1e-9);  // 0.505 - 0.495 is within 0.01
+      tf.spike_width * tf.range().width() * (1 + 1e-9);  // 0.505 - 0.495 is within 0.01
 
   std::vector<Peak> peaks;
   const auto add = [&](Run run, bool detected) {

@@ -61,16 +61,15 @@ const Reader* find_reader(const fs::path& path) {
 }
 
 /// "NAME?query": the longest NAME that there is, because a real file's name may hold a "?" too.
-std::pair<fs::path, std::string> split_source(const std::string& source) {
+std::optional<std::pair<fs::path, std::string>> split_source(const std::string& source) {
   std::error_code ignored;
-  if (fs::exists(source, ignored)) return {source, ""};
+  if (fs::exists(source, ignored)) return {{source, ""}};
   for (std::size_t at = source.rfind('?'); at != std::string::npos && at > 0;
        at = source.rfind('?', at - 1)) {
     const fs::path path = source.substr(0, at);
-    if (fs::exists(path, ignored)) return {path, source.substr(at + 1)};
+    if (fs::exists(path, ignored)) return {{path, source.substr(at + 1)}};
   }
-  const fs::path path = source.substr(0, source.find('?'));
-  throw Error(fmt::format("{}: there is no such file or folder", path.string()));
+  return std::nullopt;
 }
 
 Volume read_folder(const FileRequest& request) {
@@ -143,9 +142,16 @@ std::vector<VolumeFormat> volume_formats() {
   return formats;
 }
 
+bool is_volume_there(const std::string& source) {
+  return source.starts_with(builtin_prefix) || split_source(source);
+}
+
 Volume load_volume(const std::string& source, std::uint64_t memory) {
   if (source.starts_with(builtin_prefix)) return make_builtin(source.substr(builtin_prefix.size()), memory);
-  const auto [path, query] = split_source(source);
+  const auto found = split_source(source);
+  if (!found)
+    throw Error(fmt::format("{}: there is no such file or folder", source.substr(0, source.find('?'))));
+  const auto& [path, query] = *found;
   Volume volume = guarded({path, parse_query(path.string(), query), memory});
   repair_geometry(volume);
   volume.name = path.has_filename() ? path.filename().string() : path.parent_path().filename().string();

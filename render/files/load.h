@@ -16,6 +16,9 @@ struct VolumeFormat {
 };
 std::vector<VolumeFormat> volume_formats();
 
+/// Whether there is something for load_volume to read: a file, a folder, or something built in.
+bool is_volume_there(const std::string& source);
+
 /// Reads a volume: a file, a folder (DICOM series or image stack), or "builtin:NAME?key=value&...".
 /// A query may follow a file's name: "head.raw?size=64x64x93&type=int16&spacing=3.2,3.2,1.5&endian=little",
 /// and "?component=0" or "?frame=0" to take one of an RGB or 4D file.

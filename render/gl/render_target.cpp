@@ -24,7 +24,7 @@ std::vector<Pixel> read_pixels(GLuint texture, glm::ivec2 size, GLenum format, G
   std::vector<Pixel> pixels(std::size_t(size.x) * std::size_t(size.y));
   const std::size_t row_bytes = std::size_t(size.x) * sizeof(Pixel);
   const int rows = int(std::clamp(part_bytes / row_bytes, std::size_t(1), std::size_t(size.y)));
-  forget_errors();
+  require_no_error("drawing", size);
   for (int row = 0; row < size.y; row += rows) {
     const int count = std::min(rows, size.y - row);
     glGetTextureSubImage(texture, 0, 0, row, 0, size.x, count, 1, format, type,

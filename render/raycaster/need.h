@@ -24,7 +24,7 @@ struct Need {
   TfTableSize tf_table;         ///< where features.dvr; antiderivatives have as many nodes
   TableBlur tf_blur;            ///< of its table
   int preintegration_bins = 0;  ///< of the pre-integration table on each axis, where there is one
-  int peak_bins = 0;            ///< of the peak table on each axis, where there is one
+  int peak_bins = 0;            ///< of the peak table's arrays, where there is one
   /// Intervals of the longest ray, and how many of them a pass renders: some drivers end long loops in
   /// silence.
   int intervals = 0, intervals_per_pass = 1;

@@ -15,7 +15,7 @@ struct Roundings {
   Real place = 0;           ///< in Real
   Real place_in_float = 0;  ///< were they in 32-bit float
   /// No value is larger where a device holds the field: one far from zero is held less a base
-  /// (raycaster/stored_units.h).
+  /// (classify/stored_units.h).
   Real largest_held = 0;
 };
 

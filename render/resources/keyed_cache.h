@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "presets/error.h"
+#include "render/gl/errors.h"
 
 namespace crest {
 
@@ -16,17 +16,22 @@ namespace crest {
 /// dropped when that is true. Holds few entries: each is looked at in turn.
 class KeyedCache {
  public:
-  /// Above this the values that were used longest ago go; those of the current round stay whatever they take.
-  explicit KeyedCache(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
+  /// What was used in so many rounds before the current one stays, whatever it takes: views that are drawn in
+  /// turn must not drive out each other's.
+  static constexpr std::uint64_t kept_rounds = 32;
 
-  /// What is asked for from now on stays until the next call.
+  /// Above one of these the values that were used longest ago go, but for those of the last rounds.
+  explicit KeyedCache(std::size_t limit_bytes, std::size_t limit_count = 64)
+      : limit_bytes_(limit_bytes), limit_count_(limit_count) {}
+
+  /// What is asked for from now on is not dropped before the next call.
   void begin_round() {
     ++round_;
     drop_while([](const Entry& e) { return e.is_stale(); }, [] { return true; });
   }
 
   /// The key's value: make(), which takes `bytes`, where none is held. It stays where it is for this round.
-  /// If make() throws Error, all that this round has not used is dropped, and it may try once more.
+  /// If make() throws gl::NoRoom, all that this round has not used is dropped, and it may try once more.
   template <class Key, class Make>
   const std::invoke_result_t<Make>& get(const Key& key, std::size_t bytes, const Make& make) {
     using Value = std::invoke_result_t<Make>;
@@ -37,7 +42,8 @@ class KeyedCache {
       entries_.splice(entries_.begin(), entries_, entry);
       return found->value;
     }
-    drop_unused([&] { return bytes_ + bytes > limit_bytes_; });
+    drop_while([&](const Entry& e) { return e.round + kept_rounds < round_; },
+               [&] { return bytes_ + bytes > limit_bytes_ || entries_.size() >= limit_count_; });
     entries_.push_front(std::make_unique<Held<Key, Value>>(key, made(make)));
     Entry& entry = *entries_.front();
     entry.bytes = bytes;
@@ -75,17 +81,12 @@ class KeyedCache {
   std::invoke_result_t<Make> made(const Make& make) {
     try {
       return make();
-    } catch (const Error&) {
+    } catch (const gl::NoRoom&) {
       const std::size_t before = entries_.size();
-      drop_unused([] { return true; });
+      drop_while([&](const Entry& e) { return e.round != round_; }, [] { return true; });
       if (entries_.size() == before) throw;
       return make();
     }
-  }
-
-  template <class While>
-  void drop_unused(const While& goes_on) {
-    drop_while([&](const Entry& e) { return e.round != round_; }, goes_on);
   }
 
   /// Of the entries that `may_go`, from the one that was used longest ago.
@@ -100,7 +101,7 @@ class KeyedCache {
   }
 
   std::list<std::unique_ptr<Entry>> entries_;  ///< the last used first
-  std::size_t limit_bytes_, bytes_ = 0;
+  std::size_t limit_bytes_, limit_count_, bytes_ = 0;
   std::uint64_t round_ = 0;
   int made_ = 0;
 };

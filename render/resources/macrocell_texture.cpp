@@ -32,10 +32,16 @@ struct OccupancyKey : VolumeKey {
   bool operator==(const OccupancyKey&) const = default;
 };
 
-struct TexelsKey : OccupancyKey {
+struct TexelsKey : VolumeKey {
   explicit TexelsKey(const ShownParts& shown)
-      : OccupancyKey(shown), skipping(shown.features.skipping), adaptive(shown.features.adaptive) {}
-  bool skipping, adaptive;
+      : VolumeKey(shown.scene.volume),
+        dvr_filter(crest::dvr_filter(shown.scene.rendering)),
+        adaptive(shown.features.adaptive) {
+    if (shown.features.skipping) occupancy.emplace(shown);
+  }
+  FieldFilter dvr_filter;
+  bool adaptive;
+  std::optional<OccupancyKey> occupancy;
   bool operator==(const TexelsKey&) const = default;
 };
 
@@ -61,19 +67,20 @@ const Occupancy& occupancy(KeyedCache& held, const ShownParts& parts) {
     };
     const TransferFunction* tf = key.tf ? &*key.tf : nullptr;
     const std::vector<Peak>* surfaces = key.surfaces ? &*key.surfaces : nullptr;
-    if (key.dvr_filter == key.root_filter) return shown_in(key.dvr_filter, {tf, key.blur, surfaces});
+    if (key.dvr_filter == key.root_filter || !surfaces)
+      return shown_in(key.dvr_filter, {tf, key.blur, surfaces});
     return either(shown_in(key.dvr_filter, {tf, key.blur, nullptr}),
                   shown_in(key.root_filter, {nullptr, {}, surfaces}));
   });
 }
 
-gl::TextureHandle upload(const Macrocells& cells, const Occupancy& shown, const Features& features,
+/// `shown` is null where nothing is skipped.
+gl::TextureHandle upload(const Macrocells& cells, const Occupancy* shown, bool adaptive,
                          double volume_deviation) {
   std::vector<std::uint8_t> multiples(cells.count(), 1);
-  if (features.adaptive) multiples = step_multiples(cells, volume_deviation);
-  if (features.skipping)
-    for (std::size_t i = 0; i < multiples.size(); ++i)
-      if (!shown.cells[i]) multiples[i] = 0;
+  if (adaptive) multiples = step_multiples(cells, volume_deviation);
+  for (std::size_t i = 0; shown && i < multiples.size(); ++i)
+    if (!shown->cells[i]) multiples[i] = 0;
   return upload_3d(cells.dims, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, multiples.data(), GL_NEAREST);
 }
 
@@ -84,8 +91,9 @@ double occupied_share(KeyedCache& held, const ShownParts& shown) { return occupa
 GLuint macrocell_texture(KeyedCache& held, const ShownParts& shown) {
   const auto& volume = shown.scene.volume;
   const auto make = [&] {
-    return upload(macrocells(held, volume, dvr_filter(shown.scene.rendering)), occupancy(held, shown),
-                  shown.features, std::sqrt(volume->statistics.variance));
+    return upload(macrocells(held, volume, dvr_filter(shown.scene.rendering)),
+                  shown.features.skipping ? &occupancy(held, shown) : nullptr, shown.features.adaptive,
+                  std::sqrt(volume->statistics.variance));
   };
   return held.get(TexelsKey(shown), macrocell_count(*volume), make).id();
 }

@@ -1,5 +1,6 @@
 #include "render/resources/preintegration_textures.h"
 
+#include "render/gl/errors.h"
 #include "render/gl/texture.h"
 
 namespace crest {
@@ -9,6 +10,7 @@ gl::TextureHandle upload_rgba(GLsizei width, GLsizei height, GLint filter, const
   gl::TextureHandle texture = gl::make_texture(GL_TEXTURE_2D, filter);
   glTextureStorage2D(texture.id(), 1, GL_RGBA32F, width, height);
   glTextureSubImage2D(texture.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, data);
+  gl::require_no_error("making room for a table");
   return texture;
 }
 

@@ -8,7 +8,7 @@
 
 namespace crest {
 
-/// Beyond what the drawn scene takes, so much is kept of the ones before it.
+/// Beyond what the last pictures take, so much is kept of what was drawn before them.
 inline constexpr std::size_t held_bytes = std::size_t(1) << 30;
 
 /// All that the engines of one GL context hold on the graphics device, and what is derived from a volume and

@@ -3,6 +3,7 @@
 #include <glm/vec4.hpp>
 #include <limits>
 
+#include "render/gl/errors.h"
 #include "render/gl/texture.h"
 #include "render/gl/uniforms.h"
 
@@ -14,6 +15,7 @@ gl::TextureHandle upload_row(const void* texels, std::size_t count, GLint filter
   gl::TextureHandle texture = gl::make_texture(GL_TEXTURE_1D, filter);
   glTextureStorage1D(texture.id(), 1, GL_RGBA32F, GLsizei(count));
   glTextureSubImage1D(texture.id(), 0, 0, GLsizei(count), GL_RGBA, GL_FLOAT, texels);
+  gl::require_no_error("making room for a table");
   return texture;
 }
 
@@ -68,7 +70,9 @@ gl::BufferHandle upload_peaks(const std::vector<Peak>& peaks) {
   GLuint id = 0;
   glCreateBuffers(1, &id);
   glNamedBufferStorage(id, GLsizeiptr(list.size() * sizeof(GpuPeak)), list.data(), 0);
-  return gl::BufferHandle(id);
+  gl::BufferHandle buffer(id);
+  gl::require_no_error("making room for the peaks");
+  return buffer;
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "presets/error.h"
 #include "render/classify/stored_units.h"
+#include "render/gl/errors.h"
 #include "render/gl/texture.h"
 #include "render/resources/volume_key.h"
 #include "render/volume/empty_cells.h"
@@ -15,14 +15,13 @@ namespace crest {
 gl::TextureHandle upload_3d(glm::ivec3 size, GLenum internal_format, GLenum format, GLenum type,
                             const void* data, GLint filter) {
   gl::TextureHandle texture = gl::make_texture(GL_TEXTURE_3D, filter);
-  while (glGetError() != GL_NO_ERROR) {
-  }
+  gl::require_no_error("preparing a volume");
   glTextureStorage3D(texture.id(), 1, internal_format, size.x, size.y, size.z);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   if (glGetError() == GL_NO_ERROR)
     glTextureSubImage3D(texture.id(), 0, 0, 0, 0, size.x, size.y, size.z, format, type, data);
   if (glGetError() != GL_NO_ERROR)
-    throw Error(
+    throw gl::NoRoom(
         fmt::format("the graphics driver has no room for a volume of {}x{}x{}", size.x, size.y, size.z));
   return texture;
 }

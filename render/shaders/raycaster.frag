@@ -1,5 +1,5 @@
 // The single-pass ray caster: post-classification or pre-integration, peak finding (Knoll et al. 2009, appendix).
-// DVR, PEAKS, SPLIT, ... are 0 or 1, from what the scene needs (raycaster/features.h).
+// DVR, PEAKS, SPLIT, ... are 0 or 1, from what the scene needs (shader_inputs/features.h).
 
 #include "ray.glsl"
 #include "statistics.glsl"

@@ -52,7 +52,7 @@ struct Runs {
   }
 };
 
-void add_slab(Runs& runs, const Volume& volume, int k) {
+void add_slice(Runs& runs, const Volume& volume, int k) {
   const glm::ivec3 dims = volume.grid.dims;
   const ValueRange range = volume.statistics.range;
   const double scale = range.width() > 0 ? HomoRegions::buckets / range.width() : 0;
@@ -90,8 +90,8 @@ ValueRange HomoRegions::values_of(int bucket) const {
 HomoRegions find_homo_regions(const Volume& volume) {
   const Runs runs = tbb::parallel_reduce(
       tbb::blocked_range<int>(0, volume.grid.dims.z - 1), Runs{},
-      [&](const tbb::blocked_range<int>& slabs, Runs found) {
-        for (int k = slabs.begin(); k < slabs.end(); ++k) add_slab(found, volume, k);
+      [&](const tbb::blocked_range<int>& slices, Runs found) {
+        for (int k = slices.begin(); k < slices.end(); ++k) add_slice(found, volume, k);
         return found;
       },
       [](Runs a, const Runs& b) {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/offscreen_context.h"
 #include "presets/preset_file.h"
 #include "render/scene/camera.h"
 #include "render/volume/builtin.h"
+#include "tests/debug_context.h"
 
 namespace crest {
 namespace {
@@ -40,7 +40,7 @@ class Views : public ::testing::Test {
     }
   }
 
-  OffscreenContext context;
+  testing::DebugContext context;
   ViewRenderer views;
   std::array<ViewRequest, view_count> requests;
 };
@@ -51,6 +51,25 @@ TEST_F(Views, AreFinishedHoweverSmallTheBudget) {
   for (ViewRequest& request : requests) request.camera.fov_y_degrees += 1;
   EXPECT_GT(finish(1e9, false), 0);
   expect_all_done();
+}
+
+// A table for one step length is made once an edit: a coarse picture, which would step further, takes the
+// same.
+TEST_F(Views, ACoarsePictureMakesNoTableOfItsOwn) {
+  for (std::size_t i = 1; i < view_count; ++i) requests[i].size = {0, 0};
+  requests[0].scene.rendering.mode = Mode::dvr_only;
+  requests[0].scene.rendering.skipping = false;
+  const auto made_by_an_edit = [&](ClassificationMethod method) {
+    requests[0].scene.rendering.classification = method;
+    finish(1e-3, true);
+    const auto& held = views.renderer().resources().held;
+    const int before = held.made();
+    requests[0].scene.tf.points.front().color.r += 0.01;
+    EXPECT_GT(finish(1e-3, true), 2) << "coarse, full and counted";
+    return held.made() - before;
+  };
+  const int with_a_table = made_by_an_edit(ClassificationMethod::preintegrated_table);
+  EXPECT_EQ(with_a_table, 2) << "the classification, and one table";
 }
 
 // What cannot be drawn leaves nothing behind that keeps the others from being drawn and timed.

@@ -24,8 +24,8 @@ TEST(Library, PresetsFitAnyVolumeAndSayWhichTheyAreFor) {
         << entry.name << " is not in the form in which presets are saved";
     EXPECT_EQ(preset.transfer_function.domain, Domain::normalized) << entry.name;
     EXPECT_EQ(preset.transfer_function.unit, LengthUnit::voxel) << entry.name;
-    EXPECT_GE(preset.transfer_function.span().min, 0) << entry.name;
-    EXPECT_LE(preset.transfer_function.span().max, 1) << entry.name;
+    EXPECT_GE(preset.transfer_function.range().min, 0) << entry.name;
+    EXPECT_LE(preset.transfer_function.range().max, 1) << entry.name;
     EXPECT_FALSE(preset.name.empty()) << entry.name;
     EXPECT_NE(preset.notes.find("builtin:"), std::string::npos) << entry.name;
     EXPECT_FALSE(preset.camera) << entry.name << ": the whole volume is in view";

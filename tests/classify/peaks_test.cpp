@@ -150,7 +150,7 @@ TEST(Peaks, PointsOnAFlanksLineChangeNothing) {
     for (std::size_t i = 0; i < found.size(); ++i) {
       EXPECT_EQ(found[i].spike, expected[i].spike) << "trial " << trial;
       // A corner, and a point hardly beside it, may be taken for one another.
-      EXPECT_NEAR(found[i].width, expected[i].width, 1e-9 * tf.span().width());
+      EXPECT_NEAR(found[i].width, expected[i].width, 1e-9 * tf.range().width());
       EXPECT_EQ(found[i].prominence, expected[i].prominence);
       EXPECT_EQ(found[i].opacity, expected[i].opacity);
     }

@@ -24,7 +24,7 @@ glm::dvec4 material_at(const TransferFunction& tf, double value) {
   return {rho * c.color, rho};
 }
 
-/// The integral of the material over a stretch of values, piece by piece.
+/// The integral of the material over a range of values, piece by piece.
 glm::dvec4 integral(const TransferFunction& tf, double from, double to) {
   boost::math::quadrature::tanh_sinh<double> rule;
   std::vector<double> cuts{from};

@@ -27,7 +27,7 @@ glm::dvec4 exact(const TransferFunction& tf, double value, double spacing) {
   return {c.color, extinction(c.opacity, tf.unit_distance) * spacing};
 }
 
-/// Between the opacities and premultiplied colours of a stretch of so many smallest spacings.
+/// Between the opacities and premultiplied colours of a length of so many smallest spacings.
 double difference(glm::dvec4 a, glm::dvec4 b, double length) {
   const double opacity_a = -std::expm1(-a.a * length), opacity_b = -std::expm1(-b.a * length);
   const glm::dvec4 d = glm::abs(glm::dvec4(opacity_a * glm::dvec3(a), opacity_a) -

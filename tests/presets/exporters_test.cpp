@@ -85,7 +85,7 @@ TEST(Csv, HasTheTFAtEquidistantValues) {
     std::string line;
     std::getline(text, line);
     EXPECT_EQ(line, "value,red,green,blue,opacity,extinction");
-    const double width = tf.span().width() > 0 ? tf.span().width() : 1;
+    const double width = tf.range().width() > 0 ? tf.range().width() : 1;
     int rows = 0;
     for (double previous = -INFINITY; std::getline(text, line); ++rows) {
       std::istringstream fields(line);
@@ -95,7 +95,7 @@ TEST(Csv, HasTheTFAtEquidistantValues) {
         ASSERT_TRUE(std::getline(fields, field, ','));
         number = std::stod(field);
       }
-      EXPECT_NEAR(numbers[0], tf.span().min + width * rows / (samples - 1), 1e-14 * width);
+      EXPECT_NEAR(numbers[0], tf.range().min + width * rows / (samples - 1), 1e-14 * width);
       EXPECT_GE(numbers[0], previous);
       previous = numbers[0];
       const Classified expected = evaluate(tf, numbers[0]);

@@ -125,7 +125,7 @@ TEST(Resolve, MapsNormalizedValuesAndVoxelsOntoTheVolume) {
 
 TEST(Resolve, ARangeOfNoWidthCountsAsOne) {
   TransferFunction tf = default_transfer_function();
-  EXPECT_EQ(resolve(tf, {5, 5}, 1).span(), (ValueRange{5, 6}));
+  EXPECT_EQ(resolve(tf, {5, 5}, 1).range(), (ValueRange{5, 6}));
 }
 
 TEST(RemapValues, KeepsTheOrderAndSharedValues) {

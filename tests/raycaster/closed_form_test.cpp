@@ -113,7 +113,7 @@ TEST_F(ClosedForm, SamplesOnTheIsovalue) {
       {{0, 1, 3, 3, 1, 0}, 2}, {{0, 2, 3, 2, 0, 0}, 2},  // crossed at a sample
       {{4, 2, 0, 2, 4, 4}, 2}, {{0, 1, 2, 1, 0, 0}, 0},  // touched from below
       {{4, 3, 2, 3, 4, 4}, 0},                           // and from above
-      {{0, 2, 2, 2, 1, 0}, 2},                           // a stretch on the value is inside
+      {{0, 2, 2, 2, 1, 0}, 2},                           // a part on the value is inside
       {{0, 1, 2, 2, 3, 4}, 1}, {{4, 3, 2, 2, 3, 4}, 0},
       {{2, 1, 0, 0, 1, 2}, 0},  // touches the faces of the box
       {{2, 3, 4, 4, 3, 2}, 0},  // enters and leaves inside

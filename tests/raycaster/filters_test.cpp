@@ -245,7 +245,7 @@ TEST_F(Filters, ASphereHasTheRadiusThatItsRootFilterGivesIt) {
   expect_disk(with_filters(Filter::bspline, Filter::bc), 6, 6);
 }
 
-// A stretch on the value is inside: only where interpolation of equal values gives exactly that value does a
+// A part on the value is inside: only where interpolation of equal values gives exactly that value does a
 // ray that wanders through it cross the surface once.
 TEST_F(Filters, FacesOfEqualValuesStayEqual) {
   const float profile[] = {0, 0, 0.1f, 0.1f, 0.1f, 0.1f, 0.1f, 0.1f, 1, 1};

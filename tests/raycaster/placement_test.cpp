@@ -69,7 +69,7 @@ TEST_F(Placements, LengthOfASlab) {
 }
 
 // A surface in haze: its crossing cuts a segment, and the haze counts as it does without it, before and
-// behind; also where the surface lies before the first sample, behind the last, or in a stretch that no
+// behind; also where the surface lies before the first sample, behind the last, or in a part that no
 // segment covers.
 TEST_F(Placements, ACrossingCutsOneSegment) {
   const glm::dvec3 blue(0, 0, 1), red(1, 0, 0);

@@ -47,7 +47,7 @@ TEST(ReferenceCrossings, OfAProfile) {
   EXPECT_EQ(crossings_of({-1, 0, 2, 0}, {1}), 2);
   EXPECT_EQ(crossings_of({-1, 0, 2, 0}, {2}), 0) << "a touch from below";
   EXPECT_EQ(crossings_of({-1, 4, 2, 4}, {2}), 1) << "a touch from above";
-  EXPECT_EQ(crossings_of({-1, 0, 2, 2, 0}, {2}), 2) << "a stretch on the value is inside";
+  EXPECT_EQ(crossings_of({-1, 0, 2, 2, 0}, {2}), 2) << "a part on the value is inside";
   EXPECT_EQ(crossings_of({-1, 0, 2, 4}, {2}), 1) << "at a face";
   EXPECT_EQ(crossings_of({4, 2, 0, -1}, {2}), 1);
   EXPECT_EQ(crossings_of({4, 2, 2, 0, -1}, {2}), 1);

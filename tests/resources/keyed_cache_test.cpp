@@ -38,17 +38,44 @@ TEST(KeyedCache, MakesEachKeyOnce) {
   EXPECT_EQ(cache.bytes(), 3 * kilobyte);
 }
 
+/// So many rounds that what was used before them may go.
+void let_pass(KeyedCache& cache) {
+  for (std::uint64_t i = 0; i <= KeyedCache::kept_rounds; ++i) cache.begin_round();
+}
+
 TEST(KeyedCache, DropsWhatWasUsedLongestAgo) {
   KeyedCache cache(2 * kilobyte);
   for (const int number : {1, 2, 1, 3, 1}) {  // 3 takes the place of 2, not of 1
-    cache.begin_round();
+    let_pass(cache);
     get(cache, number);
   }
   EXPECT_EQ(cache.made(), 3);
   EXPECT_EQ(cache.bytes(), 2 * kilobyte);
-  cache.begin_round();
+  let_pass(cache);
   get(cache, 2);
   EXPECT_EQ(cache.made(), 4);
+}
+
+// Small values may not fill the list, however little they take.
+TEST(KeyedCache, HoldsFewEntries) {
+  KeyedCache cache(1000 * kilobyte, 3);
+  for (int number = 0; number < 10; ++number) {
+    let_pass(cache);
+    get(cache, number);
+  }
+  EXPECT_EQ(cache.count(), 3u);
+}
+
+// Pictures that are drawn in turn take more than the limit together: none drives out what the others use.
+TEST(KeyedCache, KeepsWhatTheLastRoundsUse) {
+  KeyedCache cache(2 * kilobyte, 2);
+  for (int frame = 0; frame < 3; ++frame)
+    for (int view = 0; view < 4; ++view) {
+      cache.begin_round();
+      get(cache, 10 + view);
+      get(cache, 1);  // the volume, say, is asked for after what is small
+    }
+  EXPECT_EQ(cache.made(), 5);
 }
 
 // What a picture is drawn with stays, even where that is more than the limit.
@@ -58,7 +85,7 @@ TEST(KeyedCache, KeepsWhatThisRoundUses) {
   for (const int number : {1, 2, 3, 4, 1, 2, 3, 4}) get(cache, number);
   EXPECT_EQ(cache.made(), 4);
   EXPECT_EQ(cache.count(), 4u);
-  cache.begin_round();
+  let_pass(cache);
   get(cache, 5);
   EXPECT_EQ(cache.bytes(), 2 * kilobyte);
 }
@@ -82,14 +109,24 @@ TEST(KeyedCache, TriesAgainWithoutTheRest) {
   cache.begin_round();
   int tries = 0;
   const auto tight = [&] {
-    if (++tries == 1) throw Error("no room");
+    if (++tries == 1) throw gl::NoRoom("no room");
     return 7;
   };
   EXPECT_EQ(cache.get(OtherKey{1}, kilobyte, tight), 7);
   EXPECT_EQ(cache.count(), 1u);
-  const auto never = []() -> int { throw Error("no room"); };
-  EXPECT_THROW(cache.get(OtherKey{2}, kilobyte, never), Error);
+  const auto never = []() -> int { throw gl::NoRoom("no room"); };
+  EXPECT_THROW(cache.get(OtherKey{2}, kilobyte, never), gl::NoRoom);
   EXPECT_EQ(cache.bytes(), kilobyte);
+}
+
+// What room cannot mend takes nothing from the others.
+TEST(KeyedCache, OtherErrorsDropNothing) {
+  KeyedCache cache(10 * kilobyte);
+  get(cache, 1);
+  cache.begin_round();
+  const auto wrong = []() -> int { throw Error("too many points"); };
+  EXPECT_THROW(cache.get(OtherKey{1}, kilobyte, wrong), Error);
+  EXPECT_EQ(cache.count(), 1u);
 }
 
 // A value may be made of others that are held.

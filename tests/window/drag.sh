@@ -8,8 +8,9 @@ source "$(dirname "$0")/drive.sh"
 timeout 100 "$program" "$volume" --preset "$preset" --log-layout "$layout" --log-frames "$log" &
 wait_for 30 has_widget view0
 wait_for 60 is_idle
-for direction in 1 -1 1 -1; do
-  drag "$(place point/2)" $((direction * 15)) $((direction * -60)) 60
+# There and back on other ways, so that nothing is drawn that was drawn before
+for by in '15 -60' '-11 57' '17 -53' '-23 41'; do
+  drag "$(place point/2)" $by 60
 done
 wait_for 60 is_idle
 # All is undone, so that nothing is asked on quitting

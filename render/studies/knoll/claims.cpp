@@ -188,7 +188,7 @@ ClaimCheck build_claim(const KnollResults& results) {
   return judged(std::move(check), [&](const Evidence&) {
     return std::string(
         "A cell of the peak table is a run of the sorted peaks, two numbers that two prefix arrays hold; "
-        "one of the pre-integrated table is the product of as many pieces as it spans.");
+        "one of the pre-integrated table is the product of as many slabs as it reaches over.");
   });
 }
 

@@ -86,7 +86,7 @@ std::vector<VdlsScene> vdls_scenes(const std::filesystem::path& folder) {
   return scenes;
 }
 
-TransferFunction opaque_interval(ValueRange field, double from, double to) {
+TransferFunction opaque_range(ValueRange field, double from, double to) {
   const auto at = [&](double share) { return field.min + share * field.width(); };
   const glm::dvec3 color(0.9, 0.75, 0.5);
   TransferFunction tf;

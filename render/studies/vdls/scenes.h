@@ -27,8 +27,8 @@ VdlsScene surface_scene(std::string id, std::string title, std::shared_ptr<const
 /// A built-in volume, by its query, in such a scene.
 VdlsScene builtin_surface_scene(const std::string& query);
 
-/// Opaque in one interval of the volume's range, from and to as shares, and transparent elsewhere.
-TransferFunction opaque_interval(ValueRange field, double from, double to);
+/// Opaque in one part of the volume's range, from and to as shares, and transparent elsewhere.
+TransferFunction opaque_range(ValueRange field, double from, double to);
 
 /// The paper's R = G = B = alpha = D, where D runs from 0 to 1 over the volume's range.
 TransferFunction grey_ramp(ValueRange field);

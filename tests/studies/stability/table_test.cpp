@@ -8,12 +8,12 @@
 #include <fstream>
 #include <set>
 
-#include "app/offscreen_context.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
 #include "render/reference/reference.h"
 #include "render/studies/stability/cases.h"
 #include "tests/changed_shaders.h"
+#include "tests/debug_context.h"
 
 namespace crest::stability {
 namespace {
@@ -34,7 +34,7 @@ std::vector<Row> impossible(Lab&) { throw Error("it cannot be drawn"); }
 constexpr Case made_up[] = {
     {"first", "two", two_rows}, {"second", "thrown", impossible}, {"second", "one", one_row}};
 
-class StabilityTable : public testing::Test {
+class StabilityTable : public ::testing::Test {
  protected:
   std::vector<Row> run_made_up(const std::function<void(const Case&)>& progress = {}) {
     Raycaster raycaster;
@@ -49,7 +49,7 @@ class StabilityTable : public testing::Test {
     return std::ranges::count(rows(lab), Verdict::fail, &Row::verdict);
   }
 
-  OffscreenContext context;
+  crest::testing::DebugContext context;
 };
 
 TEST_F(StabilityTable, HasTheRowsOfAllCasesInTheirGroups) {
