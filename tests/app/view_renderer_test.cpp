@@ -57,15 +57,18 @@ TEST_F(Views, AreFinishedHoweverSmallTheBudget) {
 // same.
 TEST_F(Views, ACoarsePictureMakesNoTableOfItsOwn) {
   for (std::size_t i = 1; i < view_count; ++i) requests[i].size = {0, 0};
+  requests[0].size = {512, 384};  // takes so long that a coarse picture comes first
   requests[0].scene.rendering.mode = Mode::dvr_only;
   requests[0].scene.rendering.skipping = false;
   const auto made_by_an_edit = [&](ClassificationMethod method) {
     requests[0].scene.rendering.classification = method;
+    requests[0].scene.rendering.placement = Placement::entry;
     finish(1e-3, true);
     const auto& held = views.renderer().resources().held;
     const int before = held.made();
     requests[0].scene.tf.points.front().color.r += 0.01;
     EXPECT_GT(finish(1e-3, true), 2) << "coarse, full and counted";
+    EXPECT_EQ(views.error(), "");
     return held.made() - before;
   };
   const int with_a_table = made_by_an_edit(ClassificationMethod::preintegrated_table);
