@@ -17,6 +17,7 @@ void add_stability_command(Options app, Action& chosen);
 void add_peaks_command(Options app, Action& chosen);
 void add_info_command(Options app, Action& chosen);
 void add_export_command(Options app, Action& chosen);
+void add_import_command(Options app, Action& chosen);
 void add_list_command(Options app, Action& chosen);
 /// The studio is what runs without a command.
 void add_studio(Options app, Action& chosen);

@@ -6,9 +6,9 @@
 #include "app/commands.h"
 #include "app/compare.h"
 #include "app/exact_picture.h"
-#include "app/labels.h"
 #include "app/offscreen_context.h"
 #include "app/picture.h"
+#include "app/picture_grid.h"
 #include "app/scene_options.h"
 #include "presets/json.h"
 #include "presets/names.h"
@@ -31,23 +31,6 @@ struct Comparison {
   std::vector<LabelledPicture> pictures;
   std::string renderer;
 };
-
-/// The pictures in a grid of two columns, each with its label, over the background.
-Image grid_of(const std::vector<LabelledPicture>& pictures, glm::vec3 background) {
-  const glm::ivec2 size = pictures.front().image.size;
-  const int gap = 2, rows = int(pictures.size() + 1) / 2;
-  Image grid;
-  grid.size = {2 * size.x + gap, rows * size.y + (rows - 1) * gap};
-  grid.pixels.assign(std::size_t(grid.size.x) * std::size_t(grid.size.y), glm::vec4(0.35f, 0.35f, 0.35f, 1));
-  for (int i = 0; i < int(pictures.size()); ++i) {
-    Image picture = over_background(pictures[std::size_t(i)].image, background);
-    draw_label(picture, 0, 0, pictures[std::size_t(i)].label, size.x >= 400 ? 2 : 1);
-    const glm::ivec2 corner(i % 2 * (size.x + gap), i / 2 * (size.y + gap));
-    for (int y = 0; y < size.y; ++y)
-      for (int x = 0; x < size.x; ++x) grid.at(corner.x + x, corner.y + y) = picture.at(x, y);
-  }
-  return grid;
-}
 
 Comparison compare_on_gpu(const std::vector<Scene>& scenes, const Camera& camera,
                           const PictureOptions& options) {
@@ -92,7 +75,10 @@ void compare_modes(const CompareOptions& options) {
   }
   const auto compare = preset.rendering.engine == Engine::reference ? compare_exactly : compare_on_gpu;
   Comparison comparison = compare(scenes, camera_of(preset, volume->grid, aspect), options.picture);
-  write_image(options.picture.output, grid_of(comparison.pictures, preset.rendering.background),
+  std::vector<LabelledImage> labelled;
+  for (LabelledPicture& picture : comparison.pictures)
+    labelled.push_back({std::move(picture.image), picture.label});
+  write_image(options.picture.output, picture_grid(labelled, 2, preset.rendering.background),
               preset.rendering.background);
   std::vector<std::string> warnings, notes;
   for (const auto& picture : comparison.pictures) {

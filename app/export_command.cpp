@@ -1,33 +1,80 @@
 #include <fmt/core.h>
 
+#include <charconv>
+
+#include "app/cache_folder.h"
 #include "app/commands.h"
-#include "presets/atomic_file.h"
+#include "app/export_picture.h"
+#include "app/export_preview.h"
+#include "app/offscreen_context.h"
+#include "app/scene_options.h"
 #include "presets/error.h"
-#include "presets/exporters.h"
+#include "presets/exchange/exporters.h"
+#include "presets/exchange/table.h"
+#include "presets/json.h"
 #include "presets/preset_file.h"
 #include "render/files/load.h"
 
 namespace crest {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct ExportCommandOptions {
-  std::string preset, format, output, volume;
-  ExportOptions format_options;
+  std::string preset, format, output, volume, samples = "auto", size = "1024x1024", preview;
+  bool json = false;
 };
+
+int rows_of(const std::string& samples) {
+  if (samples == "auto") return 0;
+  int rows = 0;
+  const auto [end, error] = std::from_chars(samples.data(), samples.data() + samples.size(), rows);
+  if (error != std::errc() || end != samples.data() + samples.size() || rows < 2 || rows > most_table_rows)
+    throw UsageError("--samples", fmt::format("{} is neither auto nor in [2, {}]", samples, most_table_rows));
+  return rows;
+}
+
+void say(const Exported& exported) {
+  for (const std::string& sentence : exported.losses) fmt::print(stderr, "lost: {}\n", sentence);
+  for (const std::string& sentence : exported.advice) fmt::print(stderr, "there: {}\n", sentence);
+}
+
+nlohmann::ordered_json preview(const ExportCommandOptions& options, const Exporter& exporter,
+                               const ExportInput& input, const std::shared_ptr<const Volume>& volume) {
+  const OffscreenContext context(-1);
+  Renderer renderer({}, program_folder());
+  const ExportPreview preview =
+      preview_export(renderer, exporter, input, volume, *input.preset.camera, input.size);
+  const glm::vec3 background(input.preset.rendering.background);
+  write_image(options.preview, picture_of(preview, exporter.name, background), background);
+  if (!options.json)
+    fmt::print(stderr,
+               "preview: {} beside Crest: RMSE {:.3g}, largest difference {:.3g}, {:.3g} % of the pixels off "
+               "by more than "
+               "1/255\n",
+               exporter.name, preview.rmse, preview.max, 100 * preview.share);
+  return {{"file", options.preview}, {"rmse", preview.rmse}, {"max", preview.max}, {"share", preview.share}};
+}
 
 void export_preset(const ExportCommandOptions& options) {
   const Exporter& exporter = find_exporter(options.format);
-  const Preset preset = load_preset(options.preset);
-  TransferFunction tf = preset.transfer_function;
-  if (!options.volume.empty()) {
-    const Volume volume = load_volume(options.volume);
-    tf = resolve(tf, volume.statistics.range, volume.grid.smallest_spacing());
-  }
-  const std::string name =
-      preset.name.empty() ? std::filesystem::path(options.preset).stem().string() : preset.name;
-  write_file_atomically(options.output, exporter.write(name, tf, options.format_options));
-  const std::string losses = exporter.losses(tf, options.format_options);
-  fmt::print(stderr, "{}", losses);
+  Preset preset = load_preset(options.preset);
+  if (preset.name.empty()) preset.name = fs::path(options.preset).stem().string();
+  if (!options.preview.empty() && options.volume.empty()) throw UsageError("--preview", "needs a --volume");
+  std::shared_ptr<const Volume> volume;
+  if (!options.volume.empty()) volume = std::make_shared<const Volume>(load_volume(options.volume));
+  const ExportInput input = export_input(preset, volume.get(), rows_of(options.samples), options.output,
+                                         exporter.extension, pixels_of(options.size));
+  const Exported exported = exporter.write(input);  // what is lost is said before anything is written
+  nlohmann::ordered_json json = {
+      {"format", exporter.name}, {"losses", exported.losses}, {"advice", exported.advice}};
+  if (!options.json) say(exported);
+  if (!options.preview.empty()) json["preview"] = preview(options, exporter, input, volume);
+  write_export(exported, input, options.output);
+  if (!options.json) return;
+  for (const ExportFile& file : exported.files)
+    json["files"].push_back(path_of(options.output, input.stem, file).string());
+  fmt::print("{}\n", json.dump(2));
 }
 
 }  // namespace
@@ -51,11 +98,27 @@ void add_export_command(Options app, Action& chosen) {
         }
       });
   command.add("-o,--output", options->output, "The file to write").required().type_name("FILE");
-  command.add("--volume", options->volume, "Write a normalized preset in this volume's values and units");
-  command.add("--samples", options->format_options.samples, "Rows of a sampled format")
-      .in(2, 1048576)
+  command.add("--volume", options->volume,
+              "The volume for which it is written: gives a normalized preset values, scripts "
+              "a file and a camera");
+  command
+      .add("--samples", options->samples, "Rows of a table; auto: the fewest that hold all points to 1/255")
+      .type_name("N|auto")
       .shows_default();
-  command.when_read([options, &chosen] { chosen = [options] { export_preset(*options); }; });
+  command.add("--size", options->size, "Of a script's picture, and of the preview")
+      .type_name("WIDTHxHEIGHT")
+      .shows_default();
+  command
+      .add("--preview", options->preview,
+           "Also render it as the target will draw it, beside Crest's picture and their "
+           "difference")
+      .type_name("PICTURE");
+  command.add_flag("--json", options->json,
+                   "Say on the standard output as JSON what is lost, and what to do there");
+  command.when_read([options, &chosen] {
+    rows_of(options->samples);
+    chosen = [options] { export_preset(*options); };
+  });
 }
 
 }  // namespace crest

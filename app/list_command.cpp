@@ -3,7 +3,7 @@
 #include "app/commands.h"
 #include "app/offscreen_context.h"
 #include "presets/error.h"
-#include "presets/exporters.h"
+#include "presets/exchange/exporters.h"
 #include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/files/load.h"
@@ -25,7 +25,7 @@ void list_formats() {
     fmt::print("  {:<12} {:<28} {}\n", format.name, format.extensions, format.summary);
   fmt::print("Presets are written to:\n");
   for (const Exporter& exporter : exporters())
-    fmt::print("  {:<12} {:<28} {}\n", exporter.name, exporter.extension, exporter.summary);
+    fmt::print("  {:<16} {:<10} {}\n", exporter.name, exporter.extension, exporter.summary);
 }
 
 void list_methods() {

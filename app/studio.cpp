@@ -3,11 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <utility>
 
 #include "app/cache_folder.h"
 #include "app/scene_options.h"
+#include "presets/atomic_file.h"
 #include "presets/error.h"
+#include "presets/exchange/exporters.h"
 #include "presets/preset_file.h"
 #include "render/files/load.h"
 #include "render/scene/camera.h"
@@ -19,7 +23,15 @@ namespace {
 constexpr std::chrono::milliseconds quiet{300};
 
 bool is_preset_file(const std::string& source) {
-  return std::filesystem::path(source).extension() == ".json";
+  constexpr std::array<std::string_view, 6> extensions{".json", ".vp", ".xml", ".itf", ".1dt", ".csv"};
+  return std::ranges::find(extensions, std::filesystem::path(source).extension().string()) !=
+         extensions.end();
+}
+
+bool is_of_another_program(const std::string& path) {
+  constexpr std::size_t most = std::size_t(64) << 20;
+  const std::string content = read_file(path, most);
+  return !is_own_preset(content) && find_importer(content, path) != nullptr;
 }
 
 Preset without_camera(Preset preset) {
@@ -108,16 +120,66 @@ void Studio::take_loaded_volume() {
   }
 }
 
-void Studio::open_preset(const std::string& name_or_path) {
+void Studio::open_preset(const std::string& name_or_path, TfParts take) {
   try {
+    const bool is_file = std::filesystem::exists(name_or_path);
+    if (is_file && is_of_another_program(name_or_path)) {
+      imported_ = import_presets(name_or_path);
+      imported_from_ = name_or_path;
+      return;
+    }
     Preset preset = load_preset(name_or_path);
     fit_ = nullptr;  // was for the preset of the command line
-    const bool is_file = std::filesystem::exists(name_or_path);
+    if (TransferFunction& tf = document_.preset.transfer_function; take != TfParts::both) {
+      tf = combined(tf, preset.transfer_function, take);
+      say(fmt::format("Took {} from {}", take == TfParts::colors ? "the colours" : "the opacities",
+                      name_or_path));
+      return;
+    }
     document_.preset = std::move(preset);
     document_.preset_path = is_file ? std::filesystem::path(name_or_path) : std::filesystem::path();
     saved_ = document_.preset;
     if (is_file) recent_.add(name_or_path);
     say(fmt::format("Opened {}", name_or_path));
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
+void Studio::take_import(const StudioRequests::Import& choice) {
+  const std::vector<Imported> all = std::exchange(imported_, {});
+  if (choice.index < 0 || choice.index >= int(all.size())) return;
+  const Imported& one = all[std::size_t(choice.index)];
+  if (choice.take != TfParts::both) {
+    TransferFunction& tf = document_.preset.transfer_function;
+    tf = combined(tf, one.preset.transfer_function, choice.take);
+  } else {
+    document_.preset = one.preset;
+    document_.preset_path.clear();
+  }
+  say(fmt::format("Imported {} from {}", one.preset.name, imported_from_));
+}
+
+void Studio::export_to(const StudioRequests::Export& request) {
+  try {
+    const Exporter& exporter = exporters()[std::size_t(request.what.format)];
+    const ExportInput input = export_input(document_.preset, loaded_.volume.get(), request.what.rows,
+                                           request.path, exporter.extension);
+    const Exported exported = exporter.write(input);
+    write_export(exported, input, request.path);
+    std::string more;
+    for (std::size_t i = 1; i < exported.files.size(); ++i)
+      more += fmt::format("{}{}", i == 1 ? " and *" : ", *", exported.files[i].suffix);
+    say(fmt::format("Exported {}{}", request.path.string(), more));
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
+void Studio::update_export_picture(const StudioRequests& requests) {
+  if (!requests.preview_export || !loaded_.volume) return export_picture_.clear();
+  try {
+    export_picture_.update(views_.renderer(), loaded_.volume, document_.preset, *requests.preview_export);
   } catch (const std::exception& error) {
     say(error.what(), true);
   }
@@ -138,7 +200,7 @@ void Studio::save_preset_to(const std::filesystem::path& path) {
 
 void Studio::open(const std::string& source) {
   if (is_preset_file(source))
-    open_preset(source);
+    open_preset(source, TfParts::both);
   else
     start_loading(source);
 }
@@ -152,7 +214,9 @@ void Studio::handle(const StudioRequests& requests) {
     document_.preset_path.clear();
     saved_ = document_.preset;
   }
-  if (requests.open_preset) open_preset(*requests.open_preset);
+  if (requests.open_preset) open_preset(*requests.open_preset, requests.take);
+  if (requests.import_choice) take_import(*requests.import_choice);
+  if (requests.export_preset) export_to(*requests.export_preset);
   if (requests.save_preset) save_preset_to(*requests.save_preset);
   if (requests.cancel_loading) cancel_loading();
   if (requests.open_volume) start_loading(*requests.open_volume);
@@ -168,6 +232,8 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.unsaved_changes = has_unsaved_changes();
   inputs.close_requested = close_requested;
   if (is_loading()) inputs.loading = loader_.source();
+  inputs.imported = imported_;
+  inputs.export_picture = export_picture_.picture();
   inputs.message = message_;
   inputs.message_is_error = message_is_error_;
   inputs.recent = recent_.list();
@@ -233,6 +299,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   }
   views_.work(view_requests(requests), render_ms, interactive);
   tell_view_error();
+  update_export_picture(requests);
   update_sweep(requests, interactive);
   if (const std::string& error = views_.renderer().resources().programs.error(); !error.empty())
     say(error, true);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/background_sweep.h"
+#include "app/export_picture.h"
 #include "app/recent_files.h"
 #include "app/view_renderer.h"
 #include "app/volume_loader.h"
@@ -28,7 +29,7 @@ class Studio {
   /// and works on the views for about `render_ms`.
   void frame(bool close_requested, double render_ms, bool interactive);
 
-  /// What was dropped on the window: a preset (.json), or a volume.
+  /// What was dropped on the window: a preset, of Crest's own or of another program, or a volume.
   void open(const std::string& source);
 
   bool wants_to_quit() const { return quit_; }
@@ -55,7 +56,10 @@ class Studio {
   void cancel_loading();
   void take_loaded_volume();
   void show(Loaded fresh);
-  void open_preset(const std::string& name_or_path);
+  void open_preset(const std::string& name_or_path, TfParts take);
+  void take_import(const StudioRequests::Import& choice);
+  void export_to(const StudioRequests::Export& request);
+  void update_export_picture(const StudioRequests& requests);
   void save_preset_to(const std::filesystem::path& path);
   void handle(const StudioRequests& requests);
   void say(std::string text, bool is_error = false);
@@ -75,6 +79,9 @@ class Studio {
   StudioStatePtr ui_ = make_studio_state();
   ViewRenderer views_;
   BackgroundSweep sweep_;
+  std::vector<Imported> imported_;  ///< from imported_from_, while the person chooses
+  std::string imported_from_;
+  ExportPictureMaker export_picture_;
   RecentFiles recent_;
   std::string message_, performance_;
   std::string view_error_;  ///< as last told

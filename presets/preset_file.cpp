@@ -7,7 +7,9 @@
 #include "preset_library_embedded.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
+#include "presets/exchange/importers.h"
 #include "presets/json.h"
+#include "presets/json_text.h"
 #include "presets/preset_json.h"
 
 namespace crest {
@@ -28,13 +30,23 @@ Preset parse_preset(std::string_view text, std::string_view source) {
   try {
     if (text.size() > largest_preset)
       throw Error(fmt::format("{} bytes are more than a preset may have, {}", text.size(), largest_preset));
-    Preset preset = preset_from_json(parse_json(text));
+    const Json json = parse_json(text);
+    const bool is_preset = json.is_object() && json.contains("transfer_function");
+    if (const Importer* importer = is_preset ? nullptr : find_importer(text, "preset.json"))
+      throw Error(
+          fmt::format("not a preset, but of {}: crest import {} -o PRESET", importer->summary, source));
+    Preset preset = preset_from_json(json);
     if (const std::string why_not = why_inconsistent(preset.rendering); !why_not.empty())
       throw Error(why_not);
     return preset;
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", source, error.what()));
   }
+}
+
+bool is_own_preset(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  return json.is_object() && json.contains("transfer_function");
 }
 
 std::string write_preset(const Preset& preset) { return print_json(preset_to_json(preset, Fields::telling)); }

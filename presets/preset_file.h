@@ -16,6 +16,9 @@ namespace crest {
 /// than 16 MB, nested deeper than 64 levels, or with a key twice in one object is refused.
 Preset parse_preset(std::string_view text, std::string_view source);
 
+/// Whether a text is a preset of Crest's own: a JSON object with a transfer_function.
+bool is_own_preset(std::string_view text);
+
 /// The preset as JSON text: numbers round-trip exactly, unknown keys are written back. Optional fields are
 /// written where they differ from their default (fields.h says which are always), a point to a line.
 std::string write_preset(const Preset& preset);

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "presets/peaks.h"
 #include "presets/transfer_function.h"
-#include "render/classify/peaks.h"
 
 namespace crest {
 

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cstdlib>
 
+#include "ui/import_dialog.h"
 #include "ui/style.h"
 
 namespace crest {
@@ -19,10 +20,12 @@ constexpr std::size_t most_entries = 20000;
 struct Wording {
   const char* title;
   const char* button;
-  const char* extension;
+  std::initializer_list<std::string_view> extensions;  ///< none: all files
 };
-constexpr Wording wordings[] = {
-    {"Open a volume", "Open", ""}, {"Open a preset", "Open", ".json"}, {"Save the preset", "Save", ".json"}};
+const Wording wordings[] = {{"Open a volume", "Open", {}},
+                            {"Open a preset", "Open", {".json", ".vp", ".xml", ".itf", ".1dt", ".csv"}},
+                            {"Save the preset", "Save", {".json"}},
+                            {"Export to a file", "Export", {}}};
 
 const Wording& wording(FilePurpose purpose) { return wordings[int(purpose)]; }
 
@@ -89,8 +92,8 @@ std::optional<std::string> take(FileDialog& dialog) {
     enter(dialog, path);
     return std::nullopt;
   }
-  if (dialog.purpose == FilePurpose::save_preset) {
-    if (path.extension().empty()) path += ".json";
+  if (dialog.purpose == FilePurpose::save_preset || dialog.purpose == FilePurpose::export_preset) {
+    if (path.extension().empty()) path += dialog.extension;
     if (!fs::is_directory(path.parent_path(), ignored)) {
       dialog.error = fmt::format("{}: there is no such folder", path.parent_path().string());
       return std::nullopt;
@@ -110,8 +113,11 @@ std::optional<std::string> take(FileDialog& dialog) {
 }
 
 bool passes(const FileDialog& dialog, const FileDialog::Entry& entry) {
-  const bool extension = entry.folder || entry.name.ends_with(wording(dialog.purpose).extension);
-  return extension &&
+  const auto& extensions = wording(dialog.purpose).extensions;
+  const bool is_kind = entry.folder || extensions.size() == 0 || std::ranges::any_of(extensions, [&](auto e) {
+                         return lower(entry.name).ends_with(e);
+                       });
+  return is_kind &&
          (dialog.filter.empty() || lower(entry.name).find(lower(dialog.filter)) != std::string::npos);
 }
 
@@ -177,6 +183,10 @@ std::optional<std::string> buttons(FileDialog& dialog, WidgetState& widgets) {
     tip("A DICOM series or a stack of images");
     ImGui::SameLine();
   }
+  if (dialog.purpose == FilePurpose::open_preset) {
+    parts_choice(widgets, dialog.take);
+    ImGui::SameLine();
+  }
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
                        std::max(0.0F, ImGui::GetContentRegionAvail().x - 2 * button - spacing));
@@ -226,6 +236,7 @@ void open_file_dialog(FileDialog& dialog, FilePurpose purpose, const fs::path& n
   dialog.purpose = purpose;
   dialog.asked = dialog.open = true;
   if (purpose == FilePurpose::save_preset) dialog.name = near.filename().string();
+  dialog.extension = ".json";
   enter(dialog, folder);
 }
 

@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "presets/exchange/importers.h"
 #include "ui/widgets.h"
 
 namespace crest {
 
-enum class FilePurpose { open_volume, open_preset, save_preset };
+enum class FilePurpose { open_volume, open_preset, save_preset, export_preset };
 
 /// A modal window that lets a person choose a file.
 struct FileDialog {
@@ -22,9 +23,11 @@ struct FileDialog {
   bool asked = false;  ///< to be opened in the next frame
   bool open = false;   ///< asked for, and not answered or cancelled yet
   std::filesystem::path folder;
-  std::vector<Entry> entries;  ///< folders first, by name
-  std::string name;            ///< what is chosen or typed: a name in the folder, or a path
-  std::string filter;          ///< shown are the names that contain it
+  std::vector<Entry> entries;    ///< folders first, by name
+  std::string name;              ///< what is chosen or typed: a name in the folder, or a path
+  std::string filter;            ///< shown are the names that contain it
+  std::string_view extension;    ///< with its dot, where a person gives none; of an export
+  TfParts take = TfParts::both;  ///< of a preset that is opened
   std::string error;
   std::optional<std::filesystem::path> to_replace;  ///< the question before overwriting is open
 };

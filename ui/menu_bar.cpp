@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "presets/exchange/color_maps.h"
 #include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
@@ -92,6 +93,24 @@ bool convert_domain(Document& document, StudioState& state, const Volume& volume
   return true;
 }
 
+/// The maps' colours on the points; those over 0..1 are laid over the points' range.
+bool color_map_menu(Document& document, StudioState& state) {
+  if (!menu(state, "Colours")) return false;
+  bool changed = false;
+  static const std::vector<ColorMap> maps = color_maps();
+  TransferFunction& tf = document.preset.transfer_function;
+  for (const ColorMap& map : maps) {
+    if (item(state, map.name.c_str())) {
+      const TransferFunction before = std::exchange(tf, with_color_map(tf, map, tf.range()));
+      changed |= !(tf == before);
+    }
+    tip(map.distinct.empty() ? (map.source + "\nlaid over the points; opacities stay").c_str()
+                             : (map.source + "\na colour for each peak; opacities stay").c_str());
+  }
+  ImGui::EndMenu();
+  return changed;
+}
+
 bool preset_menu(Document& document, StudioState& state, const StudioInputs& inputs,
                  StudioRequests& requests) {
   if (!menu(state, "Preset")) return false;
@@ -103,7 +122,9 @@ bool preset_menu(Document& document, StudioState& state, const StudioInputs& inp
   ImGui::Separator();
   if (item(state, "Save", "Ctrl+S")) save(document, state, requests);
   if (item(state, "Save as...", "Ctrl+Shift+S")) ask_for_file(state, document, FilePurpose::save_preset);
+  if (item(state, "Export...", "Ctrl+E")) state.export_dialog.asked = true;
   ImGui::Separator();
+  changed |= color_map_menu(document, state);
   const bool normalized = document.preset.transfer_function.domain == Domain::normalized;
   if (item(state, "Fit to the volume's range", nullptr, inputs.volume != nullptr))
     changed |= fit_to_volume(document, state, *inputs.volume);
@@ -195,6 +216,7 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
       ask_for_file(state, document, io.KeyShift ? FilePurpose::open_preset : FilePurpose::open_volume);
     if (key_pressed('S') && io.KeyShift) ask_for_file(state, document, FilePurpose::save_preset);
     if (key_pressed('S') && !io.KeyShift) save(document, state, requests);
+    if (key_pressed('E')) state.export_dialog.asked = true;
     if (key_pressed('Q')) state.quit_asked = true;
     // A field that is being typed in has an undo of its own, and a drag is one step that is not over.
     if (ImGui::IsAnyItemActive()) return false;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
+#include "presets/peaks.h"
 #include "presets/transfer_function.h"
-#include "render/classify/peaks.h"
 #include "ui/editor_state.h"
 
 namespace crest {

@@ -30,6 +30,7 @@ constexpr HelpLine help_lines[] = {
     {"", "Files"},
     {"Ctrl+O, Ctrl+Shift+O", "open a volume, a preset"},
     {"Ctrl+S, Ctrl+Shift+S", "save the preset, save it as"},
+    {"Ctrl+E", "export the preset for another program"},
     {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo (also Ctrl+Y)"},
     {"F5", "reload the shaders"},
     {"Ctrl+Q", "quit"},
@@ -97,7 +98,11 @@ void file_question(StudioState& state, StudioRequests& requests) {
   const FilePurpose purpose = state.file_dialog.purpose;
   if (const auto path = file_dialog(state.file_dialog, state.widgets)) {
     if (purpose == FilePurpose::open_volume) requests.open_volume = *path;
-    if (purpose == FilePurpose::open_preset) requests.open_preset = *path;
+    if (purpose == FilePurpose::open_preset) {
+      requests.open_preset = *path;
+      requests.take = state.file_dialog.take;
+    }
+    if (purpose == FilePurpose::export_preset) requests.export_preset = {state.export_dialog.to_write, *path};
     if (purpose == FilePurpose::save_preset) requests.save_preset = *path;
   }
   if (state.quit_after_save && requests.save_preset) requests.quit = true;

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "ui/accuracy_panel.h"
+#include "ui/export_dialog.h"
+#include "ui/import_dialog.h"
 #include "ui/menu_bar.h"
 #include "ui/peak_table_panel.h"
 #include "ui/peaks_panel.h"
@@ -154,6 +156,8 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   requests.document_changed |= menu_bar(document, state, inputs, requests);
   requests.document_changed |= studio_window(document, state, inputs, requests);
   quit_question(document, state, inputs, requests);
+  export_dialog(document, state, inputs, requests);
+  import_dialog(state, inputs, requests);
   file_question(state, requests);
   help_window(state);
   if (!ImGui::IsAnyItemActive()) state.widgets.typed.clear();

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "render/classify/peaks.h"
+#include "presets/exchange/importers.h"
+#include "presets/peaks.h"
 #include "render/scene/picture_need.h"
 #include "render/volume/volume.h"
 #include "ui/accuracy_results.h"
@@ -34,6 +35,19 @@ struct ViewPicture {
   std::vector<std::string> warnings;  ///< what it may be off by, and why it shows nothing, in sentences
 };
 
+/// An export: a format of exporters(), and the rows of a table (0 = the fewest).
+struct ExportChoice {
+  int format = 0, rows = 0;
+  bool operator==(const ExportChoice&) const = default;
+};
+
+/// The preset as it is drawn here, as the target of an export draws it, and their difference, in one picture.
+struct ExportPicture {
+  std::uintptr_t texture = 0;  ///< 0 while there is none
+  glm::ivec2 size{0};
+  double rmse = 0, max = 0, share = 0;  ///< as PixelErrors
+};
+
 /// What the program tells the panels: results, read only.
 struct StudioInputs {
   const Volume* volume = nullptr;  ///< null while none is open
@@ -47,14 +61,29 @@ struct StudioInputs {
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
   std::string performance;          ///< e.g. frame times, for the status bar
-  bool unsaved_changes = false;     ///< of the preset, the camera aside: worth a question before quitting
-  bool close_requested = false;     ///< the window's close button was pressed since the last frame
+  ExportPicture export_picture;     ///< of the last preview_export
+  std::span<const Imported>
+      imported;                  ///< what is in a file of another program, while nothing of it is chosen
+  bool unsaved_changes = false;  ///< of the preset, the camera aside: worth a question before quitting
+  bool close_requested = false;  ///< the window's close button was pressed since the last frame
 };
 
 /// What the person asked for in this frame, other than changes of the document.
 struct StudioRequests {
   std::optional<std::string> open_volume;
   std::optional<std::string> open_preset;  ///< a file, or a name from the library
+  TfParts take = TfParts::both;            ///< of its TF
+  struct Import {
+    int index;  ///< in StudioInputs::imported; -1: none
+    TfParts take;
+  };
+  std::optional<Import> import_choice;
+  std::optional<ExportChoice> preview_export;  ///< as long as it is to be seen
+  struct Export {
+    ExportChoice what;
+    std::filesystem::path path;
+  };
+  std::optional<Export> export_preset;
   bool cancel_loading = false;
   bool new_preset = false;
   /// To be done before quitting; when it fails, the program does not quit.

@@ -38,6 +38,30 @@ struct LayoutState {
   float editor_share = 0.50F;  ///< of the side's height, for the transfer-function editor
 };
 
+/// What is chosen in the window for exports.
+struct ExportDialog {
+  bool asked = false;  ///< to be opened in the next frame
+  int format = 0;      ///< in exporters()
+  bool automatic_rows = true;
+  int rows = 256;
+  bool preview = false;
+  ExportChoice to_write;  ///< when the file was asked for
+  struct Shown {          ///< what the sentences are about
+    int format = -1, rows = 0;
+    const Volume* volume = nullptr;
+    Preset preset;
+    bool operator==(const Shown&) const = default;
+  };
+  Shown shown;
+  std::vector<std::string> losses, advice;
+  std::string error;  ///< why it cannot be written
+};
+
+struct ImportDialog {
+  int chosen = 0;
+  TfParts take = TfParts::both;
+};
+
 struct StudioState {
   WidgetState widgets;
   History history;
@@ -46,6 +70,8 @@ struct StudioState {
   AccuracyState accuracy;
   LayoutState layout;
   FileDialog file_dialog;
+  ExportDialog export_dialog;
+  ImportDialog import_dialog;
   bool show_help = false;
   bool quit_asked = false;  ///< the person wants to leave; the question is open, or about to be
   bool quit_after_save = false;

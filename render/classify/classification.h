@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "presets/peaks.h"
 #include "presets/transfer_function.h"
-#include "render/classify/peaks.h"
 
 namespace crest {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/classify/peaks.h"
+#include "presets/peaks.h"
 #include "render/classify/tf_table.h"
 #include "render/volume/macrocells.h"
 

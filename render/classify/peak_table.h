@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "presets/peaks.h"
 #include "presets/transfer_function.h"
-#include "render/classify/peaks.h"
 
 namespace crest {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "render/classify/peaks.h"
+#include "presets/peaks.h"
 
 namespace crest {
 

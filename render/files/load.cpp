@@ -154,6 +154,7 @@ Volume load_volume(const std::string& source, std::uint64_t memory) {
   const auto& [path, query] = *found;
   Volume volume = guarded({path, parse_query(path.string(), query), memory});
   repair_geometry(volume);
+  volume.file.path = fs::absolute(path).lexically_normal().string();
   volume.name = path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return volume;

@@ -157,6 +157,7 @@ Volume read_raw(const FileRequest& request) {
 
   Volume volume;
   volume.file_type = type;
+  volume.file.raw = {.big_endian = endian == std::endian::big, .offset = offset};
   volume.grid.spacing = parse_vector(name, query, "spacing", glm::dvec3(1));
   volume.grid.origin = parse_vector(name, query, "origin", glm::dvec3(0));
   require_memory(name, size, sizeof(double), std::numeric_limits<std::uint64_t>::max());

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "presets/peaks.h"
 #include "presets/transfer_function.h"
-#include "render/classify/peaks.h"
 #include "render/reference/value.h"
 
 namespace crest::reference {

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "presets/choices.h"
-#include "render/classify/peaks.h"
+#include "presets/peaks.h"
 
 namespace crest {
 namespace {

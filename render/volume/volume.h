@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,17 @@ struct VolumeStatistics {
   glm::ivec3 empty_min{0}, empty_max{-1};
 };
 
+/// Where a volume's voxels are, for other programs to read.
+struct VolumeFile {
+  std::string path;  ///< absolute; empty where there is none
+  /// Of a file without a header.
+  struct Raw {
+    bool big_endian = false;
+    std::uint64_t offset = 0;
+  };
+  std::optional<Raw> raw;
+};
+
 /// A scalar field on a grid, x fastest. Its values are float32 (doubles are rounded once, on load).
 struct Volume {
   Grid grid;
@@ -49,7 +61,8 @@ struct Volume {
   ScalarType file_type = ScalarType::float32;
   glm::dmat3 direction{1};  ///< the file's direction cosines, as columns: kept and shown, not applied
   std::string name;         ///< short, for titles
-  std::string note;         ///< what reading it took, e.g. "first of 3 components"; or empty
+  VolumeFile file;
+  std::string note;  ///< what reading it took, e.g. "first of 3 components"; or empty
 
   float at(int i, int j, int k) const {
     return values[std::size_t(i) +

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "presets/peaks.h"
 #include "presets/preset_file.h"
-#include "render/classify/peaks.h"
 
 namespace crest {
 namespace {

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "render/classify/peaks.h"
+#include "presets/peaks.h"
 #include "render/scene/camera.h"
 #include "render/volume/volume.h"
 

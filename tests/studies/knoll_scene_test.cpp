@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "presets/error.h"
+#include "presets/peaks.h"
 #include "presets/preset_file.h"
-#include "render/classify/peaks.h"
 #include "render/raycaster/step_lengths.h"
 #include "render/studies/knoll/variants.h"
 #include "render/volume/builtin.h"

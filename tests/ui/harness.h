@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "render/classify/peaks.h"
+#include "presets/peaks.h"
 #include "ui/studio.h"
 #include "ui/studio_state.h"
 #include "ui/style.h"

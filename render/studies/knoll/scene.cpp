@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "presets/peaks.h"
 #include "presets/preset_file.h"
-#include "render/classify/peaks.h"
 
 namespace crest {
 

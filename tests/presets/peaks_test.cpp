@@ -1,4 +1,4 @@
-#include "render/classify/peaks.h"
+#include "presets/peaks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,81 @@
+#include <fmt/core.h>
+
+#include "app/commands.h"
+#include "presets/error.h"
+#include "presets/exchange/importers.h"
+#include "presets/json.h"
+#include "presets/preset_file.h"
+#include "render/files/load.h"
+
+namespace crest {
+namespace {
+
+struct ImportOptions {
+  std::string file, output, volume, name, take = "both", onto;
+  bool list = false, json = false;
+};
+
+TfParts parts_of(const std::string& word) {
+  return word == "colors" ? TfParts::colors : word == "opacities" ? TfParts::opacities : TfParts::both;
+}
+
+void list_names(const std::vector<Imported>& all, bool as_json) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const Imported& one : all) {
+    if (as_json)
+      json.push_back({{"name", one.preset.name},
+                      {"points", one.preset.transfer_function.points.size()},
+                      {"colors", one.has_colors},
+                      {"opacities", one.has_opacities}});
+    else
+      fmt::print("{}\n", one.preset.name);
+  }
+  if (as_json) fmt::print("{}\n", json.dump(2));
+}
+
+void import_file(const ImportOptions& options) {
+  const std::vector<Imported> all = import_presets(options.file);
+  if (options.list) return list_names(all, options.json);
+  if (options.output.empty()) throw UsageError("--output", "say which preset to write, or --list");
+  const Imported& chosen = choose(all, options.name, options.file);
+  Preset preset = chosen.preset;
+  if (const TfParts take = parts_of(options.take); take != TfParts::both) {
+    if (options.onto.empty()) throw UsageError("--onto", "say of which preset the rest is taken");
+    preset = load_preset(options.onto);
+    preset.transfer_function = combined(preset.transfer_function, chosen.preset.transfer_function, take);
+  }
+  if (!options.volume.empty()) {
+    const Volume volume = load_volume(options.volume);
+    preset.transfer_function =
+        resolve(preset.transfer_function, volume.statistics.range, volume.grid.smallest_spacing());
+  }
+  save_preset(options.output, preset);
+  if (options.json)
+    fmt::print("{}\n", nlohmann::ordered_json(
+                           {{"file", options.output}, {"name", preset.name}, {"notes", chosen.notes}})
+                           .dump(2));
+  else
+    for (const std::string& note : chosen.notes) fmt::print(stderr, "note: {}\n", note);
+}
+
+}  // namespace
+
+void add_import_command(Options app, Action& chosen) {
+  auto options = std::make_shared<ImportOptions>();
+  Options command = app.add_command("import", "Read another program's transfer function");
+  std::string formats;
+  for (const Importer& importer : importers()) formats += fmt::format("\n{}", importer.summary);
+  command.add("FILE", options->file, "The file to read:" + formats).required();
+  command.add("-o,--output", options->output, "The preset to write").type_name("PRESET");
+  command.add("--name", options->name, "Which one, where the file has several");
+  command.add_flag("--list", options->list, "Only print the names of what is in the file");
+  command.add("--take", options->take, "What of it: both, colors, opacities")
+      .one_of({"both", "colors", "opacities"})
+      .shows_default();
+  command.add("--onto", options->onto, "The preset that gives the rest").type_name("PRESET");
+  command.add("--volume", options->volume, "Write it in this volume's values and units");
+  command.add_flag("--json", options->json, "Say on the standard output as JSON what was read");
+  command.when_read([options, &chosen] { chosen = [options] { import_file(*options); }; });
+}
+
+}  // namespace crest

@@ -1,0 +1,17 @@
+#include "presets/exchange/contributions.h"
+
+#include "presets/choices.h"
+
+namespace crest {
+
+ShownContributions shown_contributions(const Preset& preset) {
+  const Mode mode = preset.rendering.mode;
+  ShownContributions shown{.dvr = preset.transfer_function, .shows_dvr = shows_dvr(mode), .surfaces = {}};
+  if (!shows_surfaces(mode)) return shown;
+  const std::vector<Peak> peaks = find_peaks(shown.dvr);
+  shown.surfaces = shown_peaks(peaks);
+  if (is_exclusive(mode)) shown.dvr = base_transfer_function(shown.dvr, peaks);
+  return shown;
+}
+
+}  // namespace crest

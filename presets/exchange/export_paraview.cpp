@@ -1,0 +1,68 @@
+// ParaView's colour-map JSON, as "Export preset" writes it and Choose Preset > Import reads it
+// (Kitware/ParaView: Remoting/Views/ColorMaps.json, vtkSMTransferFunctionPresets.cxx).
+#include <fmt/core.h>
+
+#include <cstdint>
+
+#include "presets/exchange/formats.h"
+#include "presets/exchange/steps.h"
+#include "presets/exchange/vtk_model.h"
+#include "presets/exchange/words.h"
+#include "presets/json.h"
+#include "presets/json_text.h"
+
+namespace crest {
+namespace {
+
+/// Of what is written: FNV-1a. ParaView stores a second preset of a known name without any.
+std::uint32_t hash_of(const Json& points) {
+  std::uint32_t hash = 2166136261u;
+  for (const char c : points.dump()) hash = (hash ^ std::uint8_t(c)) * 16777619u;
+  return hash;
+}
+
+}  // namespace
+
+Exported write_paraview(const ExportInput& input) {
+  const TransferFunction& tf = input.preset.transfer_function;
+  const std::vector<double> values = separated_values(tf, drawn_apart);
+  Json colors = Json::array(), opacities = Json::array();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const ControlPoint& point = tf.points[i];
+    for (const double n : {values[i], point.color.r, point.color.g, point.color.b}) colors.push_back(n);
+    constexpr double midpoint = 0.5, sharpness = 0;  // straight lines
+    for (const double n : {values[i], point.opacity, midpoint, sharpness}) opacities.push_back(n);
+  }
+  const std::string name =
+      fmt::format("{} {:06x}", input.name, hash_of(Json::array({colors, opacities})) & 0xffffffu);
+  const Json map = {{"Name", name},
+                    {"Creator", "Crest"},
+                    {"ColorSpace", "RGB"},
+                    {"NanColor", {0.0, 0.0, 0.0}},
+                    {"RGBPoints", std::move(colors)},
+                    {"Points", std::move(opacities)}};
+  Exported result;
+  result.files.push_back({"", Json::array({map}).dump(1, ' ', false, Json::error_handler_t::replace) + "\n"});
+  say_moved(tf, values, result.losses);
+  result.losses.emplace_back(
+      "the unit distance is not in the file: ParaView takes the size of a cell, whatever the volume");
+  say_no_peaks(input, result.losses);
+  say_no_surface_settings(input, result.losses);
+  say_no_rendering(input, result.losses);
+  result.advice.emplace_back(
+      fmt::format("in the Color Map Editor: Choose Preset > Import, choose \"{}\", tick "
+                  "Opacities and Use preset range, "
+                  "Apply",
+                  name));
+  result.advice.emplace_back(fmt::format(
+      "set Scalar Opacity Unit Distance, in the volume's properties, to {}", number(tf.unit_distance)));
+  return result;
+}
+
+// As somebody sees it who did what the advice says
+Preset drawn_by_paraview(const ExportInput& input) {
+  return drawn_by_vtk(input, separated_values(input.preset.transfer_function, drawn_apart),
+                      input.preset.transfer_function.unit_distance);
+}
+
+}  // namespace crest

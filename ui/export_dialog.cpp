@@ -1,0 +1,149 @@
+#include "ui/export_dialog.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "presets/error.h"
+#include "presets/exchange/table.h"
+#include "render/volume/export_volume.h"
+#include "ui/questions.h"
+#include "ui/style.h"
+
+namespace crest {
+namespace {
+
+constexpr const char* title = "Export the preset";
+
+ExportInput input_of(const Document& document, const StudioInputs& inputs, const ExportDialog& dialog) {
+  ExportInput input;
+  if (inputs.volume) input.volume = export_volume(*inputs.volume);
+  input.preset = ready_for_export(document.preset, input.volume);
+  input.name = document.preset.name.empty() ? document.preset_path.stem().string() : document.preset.name;
+  if (input.name.empty()) input.name = "preset";
+  input.stem = document.preset_path.stem().empty() ? "preset" : document.preset_path.stem().string();
+  input.rows = dialog.automatic_rows ? 0 : dialog.rows;
+  return input;
+}
+
+/// What is lost and what to do, once for each preset, format and size.
+void update_sentences(const Document& document, const StudioInputs& inputs, ExportDialog& dialog) {
+  const ExportDialog::Shown wanted{dialog.format, dialog.automatic_rows ? 0 : dialog.rows, inputs.volume,
+                                   document.preset};
+  if (dialog.shown == wanted) return;
+  dialog.shown = wanted;
+  dialog.losses.clear();
+  dialog.advice.clear();
+  dialog.error.clear();
+  try {
+    const Exported exported =
+        exporters()[std::size_t(dialog.format)].write(input_of(document, inputs, dialog));
+    dialog.losses = exported.losses;
+    dialog.advice = exported.advice;
+  } catch (const Error& error) {
+    dialog.error = error.what();
+  }
+}
+
+void sentences(const char* heading, const std::vector<std::string>& list, ImU32 color) {
+  if (list.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(heading);
+  ImGui::PopStyleColor();
+  for (const std::string& sentence : list) {
+    ImGui::Bullet();
+    ImGui::TextWrapped("%s", sentence.c_str());
+  }
+  ImGui::Spacing();
+}
+
+void list_of_formats(StudioState& state, float height) {
+  ExportDialog& dialog = state.export_dialog;
+  ImGui::BeginChild("formats", {scaled(330), height}, true);
+  for (int i = 0; i < int(exporters().size()); ++i) {
+    const Exporter& exporter = exporters()[std::size_t(i)];
+    if (ImGui::Selectable(std::string(exporter.name).c_str(), dialog.format == i,
+                          ImGuiSelectableFlags_DontClosePopups))
+      dialog.format = i;
+    note_item(state.widgets, fmt::format("export/{}", exporter.name));
+    ImGui::SameLine(scaled(110));
+    ImGui::TextDisabled("%s", std::string(exporter.summary).c_str());
+  }
+  ImGui::EndChild();
+}
+
+void table_size(StudioState& state) {
+  ExportDialog& dialog = state.export_dialog;
+  checkbox(state.widgets, "##automatic rows", dialog.automatic_rows);
+  ImGui::SameLine();
+  ImGui::TextUnformatted("as few rows as hold all points");
+  if (dialog.automatic_rows) return;
+  ImGui::SameLine();
+  integer_field(state.widgets, "##rows", dialog.rows, 2, most_table_rows, scaled(80));
+}
+
+void preview(StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+  ExportDialog& dialog = state.export_dialog;
+  checkbox(state.widgets, "##export preview", dialog.preview);
+  ImGui::SameLine();
+  ImGui::TextUnformatted("the view as the target will draw it");
+  if (!dialog.preview || !inputs.volume || !dialog.error.empty()) return;
+  requests.preview_export = {dialog.format, dialog.automatic_rows ? 0 : dialog.rows};
+  const ExportPicture& picture = inputs.export_picture;
+  if (picture.texture == 0) return;
+  const float width = std::min(ImGui::GetContentRegionAvail().x, float(picture.size.x));
+  ImGui::Image(ImTextureID(picture.texture), {width, width * float(picture.size.y) / float(picture.size.x)});
+  note_item(state.widgets, "export picture");
+  ImGui::TextDisabled("RMSE %.3g, largest difference %.3g, %.3g %% of the pixels off by more than 1/255",
+                      picture.rmse, picture.max, 100 * picture.share);
+}
+
+void buttons(const Document& document, StudioState& state, const StudioInputs& inputs) {
+  ExportDialog& dialog = state.export_dialog;
+  const Exporter& exporter = exporters()[std::size_t(dialog.format)];
+  const bool can_write = dialog.error.empty();
+  if (ImGui::Button("Choose the file...", {scaled(150), 0}) && can_write) {
+    dialog.to_write = {dialog.format, dialog.automatic_rows ? 0 : dialog.rows};
+    ask_for_file(state, document, FilePurpose::export_preset);
+    state.file_dialog.name = input_of(document, inputs, dialog).stem + std::string(exporter.extension);
+    state.file_dialog.extension = exporter.extension;
+    ImGui::CloseCurrentPopup();
+  }
+  note_item(state.widgets, "export to file");
+  ImGui::SameLine();
+  if (ImGui::Button("Close", {scaled(96), 0})) ImGui::CloseCurrentPopup();
+  note_item(state.widgets, "close export");
+}
+
+}  // namespace
+
+void export_dialog(const Document& document, StudioState& state, const StudioInputs& inputs,
+                   StudioRequests& requests) {
+  ExportDialog& dialog = state.export_dialog;
+  if (dialog.asked) ImGui::OpenPopup(title);
+  dialog.asked = false;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});
+  ImGui::SetNextWindowSize(
+      {std::min(scaled(1000), display.x * 0.9F), std::min(scaled(760), display.y * 0.9F)},
+      ImGuiCond_Appearing);
+  bool open = true;
+  if (!ImGui::BeginPopupModal(title, &open, ImGuiWindowFlags_NoSavedSettings)) return;
+  update_sentences(document, inputs, dialog);
+  list_of_formats(state, scaled(300));
+  ImGui::SameLine();
+  ImGui::BeginChild("words", {0, scaled(300)}, true);
+  if (exporters()[std::size_t(dialog.format)].is_table) table_size(state);
+  if (!dialog.error.empty())
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error), "%s", dialog.error.c_str());
+  sentences("Lost", dialog.losses, palette::accent);
+  sentences("There", dialog.advice, palette::dim);
+  ImGui::EndChild();
+  preview(state, inputs, requests);
+  buttons(document, state, inputs);
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::GetIO().WantTextInput)
+    ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace crest
