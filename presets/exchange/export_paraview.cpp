@@ -15,9 +15,9 @@ namespace crest {
 namespace {
 
 /// Of what is written: FNV-1a. ParaView stores a second preset of a known name without any.
-std::uint32_t hash_of(const Json& points) {
+std::uint32_t hash_of(const Json& map) {
   std::uint32_t hash = 2166136261u;
-  for (const char c : points.dump()) hash = (hash ^ std::uint8_t(c)) * 16777619u;
+  for (const char c : map.dump()) hash = (hash ^ std::uint8_t(c)) * 16777619u;
   return hash;
 }
 
@@ -33,14 +33,14 @@ Exported write_paraview(const ExportInput& input) {
     constexpr double midpoint = 0.5, sharpness = 0;  // straight lines
     for (const double n : {values[i], point.opacity, midpoint, sharpness}) opacities.push_back(n);
   }
-  const std::string name =
-      fmt::format("{} {:06x}", input.name, hash_of(Json::array({colors, opacities})) & 0xffffffu);
-  const Json map = {{"Name", name},
-                    {"Creator", "Crest"},
-                    {"ColorSpace", "RGB"},
-                    {"NanColor", {0.0, 0.0, 0.0}},
-                    {"RGBPoints", std::move(colors)},
-                    {"Points", std::move(opacities)}};
+  Json map = {{"Creator", "Crest"},
+              {"ColorSpace", "RGB"},
+              {"Discretize", 0},  // else colours come from 256 entries
+              {"NanColor", {0.0, 0.0, 0.0}},
+              {"RGBPoints", std::move(colors)},
+              {"Points", std::move(opacities)}};
+  const std::string name = fmt::format("{} {:06x}", input.name, hash_of(map) & 0xffffffu);
+  map["Name"] = name;
   Exported result;
   result.files.push_back({"", Json::array({map}).dump(1, ' ', false, Json::error_handler_t::replace) + "\n"});
   say_moved(tf, values, result.losses);

@@ -2,6 +2,8 @@
 // hold.
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "presets/exchange/contributions.h"
 #include "presets/exchange/formats.h"
 #include "presets/exchange/python_text.h"
@@ -30,11 +32,18 @@ std::string reader_of(const std::optional<ExportVolume>& volume) {
   const ExportVolume::Raw& raw = *volume->raw;
   const glm::ivec3 last = volume->dims - 1;
   return fmt::format(
-      "reader = ImageReader(FileNames=[FILE], FileDimensionality=3, FilePrefix=\"\",\n"
+      "reader = ImageReader(FileNames=[FILE], FileDimensionality=3,\n"
       "                     DataScalarType=\"{}\", DataByteOrder=\"{}\", NumberOfScalarComponents=1,\n"
       "                     DataExtent=[0, {}, 0, {}, 0, {}], DataSpacing={}, DataOrigin={})\n",
       vtk_type(raw.type), raw.big_endian ? "BigEndian" : "LittleEndian", last.x, last.y, last.z,
       python_vector(volume->spacing), python_vector(volume->origin));
+}
+
+bool is_read_by_paraview(const ExportVolume& volume) {
+  constexpr std::string_view known[] = {".nrrd", ".nhdr", ".mhd", ".mha",  ".vtk",
+                                        ".vti",  ".mrc",  ".tif", ".tiff", ".dcm"};
+  return volume.raw ||
+         std::ranges::any_of(known, [&](auto extension) { return volume.file.ends_with(extension); });
 }
 
 std::string camera_of_view(const std::optional<Camera>& camera) {
@@ -76,6 +85,7 @@ volume.SetRepresentationType("Volume")
 ColorBy(volume, ("POINTS", array))
 color = GetColorTransferFunction(array)
 color.ColorSpace = "RGB"
+color.Discretize = 0
 color.RGBPoints = [number for v, r, g, b, a in POINTS for number in (v, r, g, b)]
 opacity = GetOpacityTransferFunction(array)
 opacity.Points = [number for v, r, g, b, a in POINTS for number in (v, a, 0.5, 0)]
@@ -90,7 +100,7 @@ constexpr const char* peaks_part = R"(
 for value, red, green, blue, alpha in PEAKS:
     contour = Contour(Input=reader, ContourBy=["POINTS", array], Isosurfaces=[value], ComputeScalars=0)
     surface = Show(contour, view)
-    ColorBy(surface, None)
+    surface.ColorArrayName = ["POINTS", ""]
     surface.AmbientColor = surface.DiffuseColor = [red, green, blue]
     surface.Opacity = alpha
     surface.Ambient, surface.Diffuse, surface.Specular = (0.25, 0.75, 0) if SHADED else (1, 0, 0)
@@ -129,6 +139,11 @@ Exported write_paraview_script(const ExportInput& input) {
     result.losses.emplace_back(
         "the peaks are isosurfaces of triangles there: where they are translucent, ParaView draws them "
         "over the volume, not within it");
+  if (has_file && !is_read_by_paraview(*input.volume))
+    result.losses.push_back(
+        fmt::format("ParaView may not read {} as it comes (NIfTI: Tools > Manage Plugins > "
+                    "AnalyzeNIfTIReaderWriter)",
+                    input.volume->name));
   if (!has_file)
     result.losses.emplace_back(
         "the volume is not in a file that ParaView could read: give one to the script");
@@ -136,6 +151,7 @@ Exported write_paraview_script(const ExportInput& input) {
     result.losses.push_back(
         fmt::format("the volume begins after {} bytes, which ParaView's reader takes for a part of it",
                     input.volume->raw->offset));
+  say_dark_where_flat(input, result.losses);
   say_no_rendering(input, result.losses);
   result.advice.push_back(
       fmt::format("pvbatch {0}.py; on 8 processes: mpirun -n 8 pvbatch {0}.py", input.stem));

@@ -35,6 +35,7 @@ void say_slicer_losses(const ExportInput& input, const std::vector<double>& valu
   say_moved(input.preset.transfer_function, values, result.losses);
   say_no_peaks(input, result.losses);
   say_no_surface_settings(input, result.losses);
+  say_dark_where_flat(input, result.losses);
   say_no_rendering(input, result.losses);
   result.advice.emplace_back(
       "in the module Volume Rendering: drag the file onto the window, then choose it as the volume "

@@ -86,6 +86,7 @@ Exported write_vtk_python(const ExportInput& input) {
     result.losses.emplace_back(
         "the peaks are isosurfaces of triangles there: VTK draws them before the volume, or, where they "
         "are translucent, over it");
+  say_dark_where_flat(input, result.losses);
   say_no_rendering(input, result.losses);
   result.advice.emplace_back("pyvista: plotter.add_volume(image).prop = volume_property()");
   result.advice.emplace_back(

@@ -52,6 +52,13 @@ void say_no_rendering(const ExportInput& input, std::vector<std::string>& losses
   if (r.clip_box) losses.emplace_back("the clip box is not in the file");
 }
 
+void say_dark_where_flat(const ExportInput& input, std::vector<std::string>& losses) {
+  if (input.preset.rendering.shading != Shading::none && shows_dvr(input.preset.rendering.mode))
+    losses.emplace_back(
+        "a shaded volume is dark there where the field is flat, and in full light here: switch shading off "
+        "where haze shows");
+}
+
 std::string number(double value) { return fmt::format("{}", value); }
 std::string short_number(double value) { return fmt::format("{:.6g}", value); }
 

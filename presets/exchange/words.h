@@ -20,6 +20,9 @@ void say_moved(const TransferFunction& tf, const std::vector<double>& values,
 /// Filters, blend modes and a clip box, which no file of a TF holds.
 void say_no_rendering(const ExportInput& input, std::vector<std::string>& losses);
 
+/// Of VTK's shading, where the volume is shaded: where the field is flat it is dark.
+void say_dark_where_flat(const ExportInput& input, std::vector<std::string>& losses);
+
 /// "0.25", as short as it reads back to the same number.
 std::string number(double value);
 /// For sentences: six digits.

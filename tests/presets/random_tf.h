@@ -50,24 +50,27 @@ inline TransferFunction random_tf(std::mt19937& random, std::size_t most_points 
   return tf;
 }
 
+/// Whether a TF has this colour and opacity somewhere within `moved` of a value, each number to `off`.
+inline bool has_near(const TransferFunction& tf, double value, const Classified& found, double moved,
+                     double off) {
+  std::vector<Classified> near{evaluate_left(tf, value - moved), evaluate_right(tf, value - moved),
+                               evaluate_left(tf, value + moved), evaluate_right(tf, value + moved)};
+  const auto first = std::ranges::lower_bound(tf.points, value - moved, {}, &ControlPoint::value);
+  for (auto p = first; p != tf.points.end() && p->value <= value + moved; ++p)
+    near.push_back({p->color, p->opacity});
+  for (int channel = 0; channel < 4; ++channel) {
+    const auto of = [channel](const Classified& c) { return channel < 3 ? c.color[channel] : c.opacity; };
+    const auto [least, most] = std::ranges::minmax(near, {}, of);
+    if (of(found) < of(least) - off || of(found) > of(most) + off) return false;
+  }
+  return true;
+}
+
 /// Whether two TFs are the same but for points that moved by up to `moved`, and numbers that are off by
 /// `off`: at each value the one has what the other has somewhere within that distance. Says where they are
 /// not, or nothing.
 inline std::string why_different(const TransferFunction& tf, const TransferFunction& other, double moved,
                                  double off) {
-  const auto within = [&](double value, const Classified& found) {
-    std::vector<Classified> near{evaluate_left(tf, value - moved), evaluate_right(tf, value - moved),
-                                 evaluate_left(tf, value + moved), evaluate_right(tf, value + moved)};
-    const auto first = std::ranges::lower_bound(tf.points, value - moved, {}, &ControlPoint::value);
-    for (auto p = first; p != tf.points.end() && p->value <= value + moved; ++p)
-      near.push_back({p->color, p->opacity});
-    for (int channel = 0; channel < 4; ++channel) {
-      const auto of = [channel](const Classified& c) { return channel < 3 ? c.color[channel] : c.opacity; };
-      const auto [least, most] = std::ranges::minmax(near, {}, of);
-      if (of(found) < of(least) - off || of(found) > of(most) + off) return false;
-    }
-    return true;
-  };
   std::vector<double> values;
   for (std::size_t i = 0; i < other.points.size(); ++i) {
     values.push_back(other.points[i].value);
@@ -76,7 +79,7 @@ inline std::string why_different(const TransferFunction& tf, const TransferFunct
   for (const ControlPoint& p : tf.points) values.push_back(p.value);
   for (const double value : values)
     for (const Classified& found : {evaluate_left(other, value), evaluate_right(other, value)})
-      if (!within(value, found))
+      if (!has_near(tf, value, found, moved, off))
         return "at " + std::to_string(value) + " opacity " + std::to_string(found.opacity) + ", where " +
                std::to_string(evaluate(tf, value).opacity) + " was";
   return "";
