@@ -34,26 +34,37 @@ int rows_of(const std::string& samples) {
   return rows;
 }
 
-void say(const Exported& exported) {
+void say(const Exporter& exporter, const Exported& exported, const std::optional<ExportPreview>& preview) {
   for (const std::string& sentence : exported.losses) fmt::print(stderr, "lost: {}\n", sentence);
   for (const std::string& sentence : exported.advice) fmt::print(stderr, "there: {}\n", sentence);
-}
-
-nlohmann::ordered_json preview(const ExportCommandOptions& options, const Exporter& exporter,
-                               const ExportInput& input, const std::shared_ptr<const Volume>& volume) {
-  const OffscreenContext context(-1);
-  Renderer renderer({}, program_folder());
-  const ExportPreview preview =
-      preview_export(renderer, exporter, input, volume, *input.preset.camera, input.size);
-  const glm::vec3 background(input.preset.rendering.background);
-  write_image(options.preview, picture_of(preview, exporter.name, background), background);
-  if (!options.json)
+  if (preview)
     fmt::print(stderr,
                "preview: {} beside Crest: RMSE {:.3g}, largest difference {:.3g}, {:.3g} % of the pixels off "
                "by more than "
                "1/255\n",
-               exporter.name, preview.rmse, preview.max, 100 * preview.share);
-  return {{"file", options.preview}, {"rmse", preview.rmse}, {"max", preview.max}, {"share", preview.share}};
+               exporter.name, preview->rmse, preview->max, 100 * preview->share);
+}
+
+nlohmann::ordered_json to_json(const ExportCommandOptions& options, const ExportInput& input,
+                               const Exported& exported, const std::optional<ExportPreview>& preview) {
+  nlohmann::ordered_json json = {
+      {"format", options.format}, {"losses", exported.losses}, {"advice", exported.advice}};
+  if (preview)
+    json["preview"] = {
+        {"file", options.preview}, {"rmse", preview->rmse}, {"max", preview->max}, {"share", preview->share}};
+  for (const ExportFile& file : exported.files)
+    json["files"].push_back(path_of(options.output, input.stem, file).string());
+  return json;
+}
+
+ExportPreview draw_preview(const ExportCommandOptions& options, const Exporter& exporter,
+                           const ExportInput& input, const std::shared_ptr<const Volume>& volume) {
+  const OffscreenContext context(-1);
+  Renderer renderer({}, program_folder());
+  ExportPreview preview = preview_export(renderer, exporter, input, volume, *input.preset.camera, input.size);
+  const glm::vec3 background(input.preset.rendering.background);
+  write_image(options.preview, picture_of(preview, exporter.name, background), background);
+  return preview;
 }
 
 void export_preset(const ExportCommandOptions& options) {
@@ -65,16 +76,14 @@ void export_preset(const ExportCommandOptions& options) {
   if (!options.volume.empty()) volume = std::make_shared<const Volume>(load_volume(options.volume));
   const ExportInput input = export_input(preset, volume.get(), rows_of(options.samples), options.output,
                                          exporter.extension, pixels_of(options.size));
-  const Exported exported = exporter.write(input);  // what is lost is said before anything is written
-  nlohmann::ordered_json json = {
-      {"format", exporter.name}, {"losses", exported.losses}, {"advice", exported.advice}};
-  if (!options.json) say(exported);
-  if (!options.preview.empty()) json["preview"] = preview(options, exporter, input, volume);
+  const Exported exported = exporter.write(input);
+  std::optional<ExportPreview> preview;
+  if (!options.preview.empty()) preview = draw_preview(options, exporter, input, volume);
   write_export(exported, input, options.output);
-  if (!options.json) return;
-  for (const ExportFile& file : exported.files)
-    json["files"].push_back(path_of(options.output, input.stem, file).string());
-  fmt::print("{}\n", json.dump(2));
+  if (options.json)
+    fmt::print("{}\n", to_json(options, input, exported, preview).dump(2));
+  else
+    say(exporter, exported, preview);  // when the work is done, so that an error stays a single line
 }
 
 }  // namespace

@@ -59,15 +59,14 @@ void sentences(const char* heading, const std::vector<std::string>& list, ImU32 
 
 void list_of_formats(StudioState& state, float height) {
   ExportDialog& dialog = state.export_dialog;
-  ImGui::BeginChild("formats", {scaled(330), height}, true);
+  ImGui::BeginChild("formats", {scaled(150), height}, true);
   for (int i = 0; i < int(exporters().size()); ++i) {
     const Exporter& exporter = exporters()[std::size_t(i)];
     if (ImGui::Selectable(std::string(exporter.name).c_str(), dialog.format == i,
                           ImGuiSelectableFlags_DontClosePopups))
       dialog.format = i;
+    tip(std::string(exporter.summary).c_str());
     note_item(state.widgets, fmt::format("export/{}", exporter.name));
-    ImGui::SameLine(scaled(110));
-    ImGui::TextDisabled("%s", std::string(exporter.summary).c_str());
   }
   ImGui::EndChild();
 }
@@ -133,7 +132,10 @@ void export_dialog(const Document& document, StudioState& state, const StudioInp
   list_of_formats(state, scaled(300));
   ImGui::SameLine();
   ImGui::BeginChild("words", {0, scaled(300)}, true);
-  if (exporters()[std::size_t(dialog.format)].is_table) table_size(state);
+  const Exporter& exporter = exporters()[std::size_t(dialog.format)];
+  ImGui::TextUnformatted(fmt::format("{}: {}", exporter.extension, exporter.summary).c_str());
+  ImGui::Spacing();
+  if (exporter.is_table) table_size(state);
   if (!dialog.error.empty())
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error), "%s", dialog.error.c_str());
   sentences("Lost", dialog.losses, palette::accent);

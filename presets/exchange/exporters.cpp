@@ -55,9 +55,9 @@ Preset ready_for_export(const Preset& preset, const std::optional<ExportVolume>&
   }
   if (tf.domain == Domain::normalized)
     throw Error(
-        "the preset is normalized: its values are shares of a volume's range; say whose, with --volume");
+        "the preset is normalized: its values are shares of a volume's range: open the volume, or name it (--volume)");
   if (tf.unit == LengthUnit::voxel)
-    throw Error("the preset's unit distance is in voxels; say of which volume, with --volume");
+    throw Error("the preset's unit distance is in voxels: open the volume, or name it (--volume)");
   return ready;
 }
 

@@ -21,7 +21,10 @@ TEST_F(CommandLine, HelpTellsEachOption) {
       {"compare", scene + picture},
       {"peaks", {"PRESET", "--volume", "--bins", "--json"}},
       {"info", {"VOLUME", "--bins", "--json"}},
-      {"export", {"PRESET", "--to", "paraview", "csv", "--output", "--volume", "--samples"}},
+      {"export",
+       {"PRESET", "--to", "paraview", "csv", "--output", "--volume", "--samples", "--size", "--preview",
+        "--json"}},
+      {"import", {"FILE", "--output", "--name", "--list", "--take", "--onto", "--volume", "--json"}},
       {"list", {"volumes", "formats", "methods", "presets", "devices"}}};
   const std::string help = output_of({"--help"});
   for (const std::string& option : scene + Words{"--version", "--shaders", "--log-frames", "Exit codes"})

@@ -17,7 +17,8 @@ class Output : public ProgramTest {
     return {"render", "builtin:sphere?n=8", "--preset", "onion", "--size", "64x64", "-o", file};
   }
   static Words export_to(const std::string& file, const std::string& format = "csv") {
-    return {"export", "onion", "--to", format, "-o", file};
+    return {"export", "onion",     "--to", format,     "-o",
+            file,     "--samples", "256",  "--volume", "builtin:linear?n=5"};
   }
 };
 
