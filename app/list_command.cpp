@@ -6,6 +6,7 @@
 #include "presets/exchange/exporters.h"
 #include "presets/names.h"
 #include "presets/preset_file.h"
+#include "presets/preset_schema.h"
 #include "render/files/load.h"
 #include "render/measure/methods.h"
 #include "render/volume/builtin.h"
@@ -56,11 +57,12 @@ void list_presets() {
 
 void add_list_command(Options app, Action& chosen) {
   auto what = std::make_shared<std::string>();
-  Options command =
-      app.add_command("list", "List what there is: volumes, formats, methods, presets or devices");
+  Options command = app.add_command(
+      "list",
+      "List what there is: volumes, formats, methods, presets or devices; or the JSON Schema of a preset");
   command.add("WHAT", *what, "What to list")
       .required()
-      .one_of({"volumes", "formats", "methods", "presets", "devices"});
+      .one_of({"volumes", "formats", "methods", "presets", "devices", "schema"});
   command.when_read([what, &chosen] {
     chosen = [what] {
       if (*what == "volumes") list_volumes();
@@ -68,6 +70,7 @@ void add_list_command(Options app, Action& chosen) {
       if (*what == "methods") list_methods();
       if (*what == "presets") list_presets();
       if (*what == "devices") list_graphics_devices();
+      if (*what == "schema") fmt::print("{}", preset_schema());
     };
   });
 }

@@ -160,8 +160,11 @@ Preset preset_from_json(Json json) {
   if (const auto format = json.find("format"); format != json.end() && *format != preset_format)
     fail(Path{nullptr, "format"}, fmt::format("{} is not \"{}\"", summary_of(*format), preset_format));
   if (const auto version = json.find("version"); version != json.end() && *version != preset_version)
-    fail(Path{nullptr, "version"}, fmt::format("{} is not {}, the version that this program reads",
-                                               summary_of(*version), preset_version));
+    fail(Path{nullptr, "version"}, version->is_number_integer() && *version > preset_version
+                                       ? fmt::format("{} is of a newer Crest: this one reads up to {}",
+                                                     summary_of(*version), preset_version)
+                                       : fmt::format("{} is not {}, the version that this program reads",
+                                                     summary_of(*version), preset_version));
   json.erase("format");
   json.erase("version");
   Preset preset;

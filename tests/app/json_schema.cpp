@@ -38,6 +38,8 @@ class Validator {
     if (keyword == "anyOf") return expect(fits_any(value, rule), path, keyword, "");
     if (keyword == "minimum") return expect(!value.is_number() || value >= rule, path, keyword, rule);
     if (keyword == "maximum") return expect(!value.is_number() || value <= rule, path, keyword, rule);
+    if (keyword == "exclusiveMinimum") return expect(!value.is_number() || value > rule, path, keyword, rule);
+    if (keyword == "exclusiveMaximum") return expect(!value.is_number() || value < rule, path, keyword, rule);
     if (keyword == "minItems") return expect(value.size() >= rule, path, keyword, rule);
     if (keyword == "maxItems") return expect(value.size() <= rule, path, keyword, rule);
     if (keyword == "pattern")

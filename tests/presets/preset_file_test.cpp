@@ -216,7 +216,7 @@ TEST(ParsePreset, RefusesWrongFieldsWithTheirPath) {
       {"/camera/eye", "\"0,0,0\"", "camera.eye: \"0,0,0\" is not an array of 3 numbers"},
       {"/name", "5", "name: 5 is not a text in quotes"},
       {"/format", "\"other\"", "format: \"other\" is not \"crest-preset\""},
-      {"/version", "2", "version: 2 is not 1, the version that this program reads"},
+      {"/version", "2", "version: 2 is of a newer Crest: this one reads up to 1"},
   };
   for (const auto& [place, value, error] : cases) {
     json spoiled = sample();

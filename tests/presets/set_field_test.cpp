@@ -113,7 +113,7 @@ TEST(SetField, RefusesWrongValues) {
   EXPECT_EQ(error_of("rendering.step="), "rendering.step: \"\" is not a number");
   EXPECT_EQ(error_of("transfer_function.points=[]"),
             "transfer_function.points: holds no point: a transfer function needs at least one");
-  EXPECT_EQ(error_of("version=2"), "version: 2 is not 1, the version that this program reads");
+  EXPECT_EQ(error_of("version=2"), "version: 2 is of a newer Crest: this one reads up to 1");
 }
 
 TEST(AssignmentsBetween, MakeOneRenderingOfAnother) {
