@@ -12,6 +12,7 @@
 #include "presets/exchange/exporters.h"
 #include "presets/exchange/table.h"
 #include "presets/json.h"
+#include "presets/json_text.h"
 #include "presets/preset_file.h"
 #include "render/files/load.h"
 
@@ -81,7 +82,7 @@ void export_preset(const ExportCommandOptions& options) {
   if (!options.preview.empty()) preview = draw_preview(options, exporter, input, volume);
   write_export(exported, input, options.output);
   if (options.json)
-    fmt::print("{}\n", to_json(options, input, exported, preview).dump(2));
+    fmt::print("{}\n", pretty(to_json(options, input, exported, preview)));
   else
     say(exporter, exported, preview);  // when the work is done, so that an error stays a single line
 }

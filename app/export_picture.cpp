@@ -12,12 +12,14 @@ namespace {
 
 constexpr glm::ivec2 tile{320, 320};
 
-gl::TextureHandle upload(const Image& image) {
-  gl::TextureHandle texture = gl::make_texture(GL_TEXTURE_2D, GL_LINEAR);
-  glTextureStorage2D(texture.id(), 1, GL_RGBA8, image.size.x, image.size.y);
+/// Into the one texture: the frame that is being drawn names it already.
+void upload(gl::TextureHandle& texture, const Image& image) {
+  if (!texture) {
+    texture = gl::make_texture(GL_TEXTURE_2D, GL_LINEAR);
+    glTextureStorage2D(texture.id(), 1, GL_RGBA8, image.size.x, image.size.y);
+  }
   glTextureSubImage2D(texture.id(), 0, 0, 0, image.size.x, image.size.y, GL_RGBA, GL_FLOAT,
                       image.pixels.data());
-  return texture;
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ void ExportPictureMaker::update(Renderer& renderer, const std::shared_ptr<const 
   const Camera camera = camera_of(preset, volume->grid, aspect_of(tile));
   const ExportPreview preview = preview_export(renderer, exporter, input, volume, camera, tile);
   const Image picture = picture_of(preview, exporter.name, preset.rendering.background);
-  texture_ = upload(picture);
+  upload(texture_, picture);
   picture_ = {texture_.id(), picture.size, preview.rmse, preview.max, preview.share};
 }
 

@@ -4,6 +4,7 @@
 #include "presets/error.h"
 #include "presets/exchange/importers.h"
 #include "presets/json.h"
+#include "presets/json_text.h"
 #include "presets/preset_file.h"
 #include "render/files/load.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 struct ImportOptions {
   std::string file, output, volume, name, take = "both", onto;
-  bool list = false, json = false;
+  bool list = false, json = false, fit = false;
 };
 
 TfParts parts_of(const std::string& word) {
@@ -30,30 +31,35 @@ void list_names(const std::vector<Imported>& all, bool as_json) {
     else
       fmt::print("{}\n", one.preset.name);
   }
-  if (as_json) fmt::print("{}\n", json.dump(2));
+  if (as_json) fmt::print("{}\n", pretty(json));
 }
 
 void import_file(const ImportOptions& options) {
   const std::vector<Imported> all = import_presets(options.file);
   if (options.list) return list_names(all, options.json);
   if (options.output.empty()) throw UsageError("--output", "say which preset to write, or --list");
+  const TfParts take = parts_of(options.take);
+  if (take != TfParts::both && options.onto.empty())
+    throw UsageError("--onto", "say of which preset the rest is taken");
   const Imported& chosen = choose(all, options.name, options.file);
-  Preset preset = chosen.preset;
-  if (const TfParts take = parts_of(options.take); take != TfParts::both) {
-    if (options.onto.empty()) throw UsageError("--onto", "say of which preset the rest is taken");
-    preset = load_preset(options.onto);
-    preset.transfer_function = combined(preset.transfer_function, chosen.preset.transfer_function, take);
-  }
+  TransferFunction read = chosen.preset.transfer_function;
+  Preset preset = options.onto.empty() ? chosen.preset : load_preset(options.onto);
   if (!options.volume.empty()) {
     const Volume volume = load_volume(options.volume);
-    preset.transfer_function =
-        resolve(preset.transfer_function, volume.statistics.range, volume.grid.smallest_spacing());
+    const auto in_volume = [&](const TransferFunction& tf) {
+      return resolve(tf, volume.statistics.range, volume.grid.smallest_spacing());
+    };
+    read = in_volume(for_volume(chosen, glm::dvec3(volume.grid.dims) * volume.grid.spacing));
+    if (options.fit && options.onto.empty()) read = remap_values(read, read.range(), volume.statistics.range);
+    preset.transfer_function = in_volume(preset.transfer_function);
+  } else if (options.fit && options.onto.empty()) {
+    throw UsageError("--fit", "say over what: a --volume, or a preset with --onto");
   }
+  preset.transfer_function =
+      options.onto.empty() ? read : combined(preset.transfer_function, read, take, options.fit);
   save_preset(options.output, preset);
   if (options.json)
-    fmt::print("{}\n", nlohmann::ordered_json(
-                           {{"file", options.output}, {"name", preset.name}, {"notes", chosen.notes}})
-                           .dump(2));
+    fmt::print("{}\n", pretty({{"file", options.output}, {"name", preset.name}, {"notes", chosen.notes}}));
   else
     for (const std::string& note : chosen.notes) fmt::print(stderr, "note: {}\n", note);
 }
@@ -74,6 +80,9 @@ void add_import_command(Options app, Action& chosen) {
       .shows_default();
   command.add("--onto", options->onto, "The preset that gives the rest").type_name("PRESET");
   command.add("--volume", options->volume, "Write it in this volume's values and units");
+  command.add_flag(
+      "--fit", options->fit,
+      "Lay its values over the range of --onto's points, or of the volume, as ParaView does with its maps");
   command.add_flag("--json", options->json, "Say on the standard output as JSON what was read");
   command.when_read([options, &chosen] { chosen = [options] { import_file(*options); }; });
 }

@@ -13,6 +13,7 @@
 #include "presets/error.h"
 #include "presets/exchange/exporters.h"
 #include "presets/preset_file.h"
+#include "render/files/file_request.h"
 #include "render/files/load.h"
 #include "render/scene/camera.h"
 
@@ -24,14 +25,15 @@ constexpr std::chrono::milliseconds quiet{300};
 
 bool is_preset_file(const std::string& source) {
   constexpr std::array<std::string_view, 6> extensions{".json", ".vp", ".xml", ".itf", ".1dt", ".csv"};
-  return std::ranges::find(extensions, std::filesystem::path(source).extension().string()) !=
-         extensions.end();
+  return std::ranges::find(extensions, extension_of(source)) != extensions.end();
 }
 
-bool is_of_another_program(const std::string& path) {
+/// What is in a file of another program; nothing where it is none.
+std::vector<Imported> presets_of_another_program(const std::string& path) {
   constexpr std::size_t most = std::size_t(64) << 20;
   const std::string content = read_file(path, most);
-  return !is_own_preset(content) && find_importer(content, path) != nullptr;
+  if (!find_importer(content, path) || is_own_preset(content)) return {};
+  return import_presets(content, path);
 }
 
 Preset without_camera(Preset preset) {
@@ -123,15 +125,16 @@ void Studio::take_loaded_volume() {
 void Studio::open_preset(const std::string& name_or_path, TfParts take) {
   try {
     const bool is_file = std::filesystem::exists(name_or_path);
-    if (is_file && is_of_another_program(name_or_path)) {
-      imported_ = import_presets(name_or_path);
+    if (is_file) imported_ = presets_of_another_program(name_or_path);
+    if (!imported_.empty()) {
       imported_from_ = name_or_path;
+      import_take_ = take;
       return;
     }
     Preset preset = load_preset(name_or_path);
     fit_ = nullptr;  // was for the preset of the command line
     if (TransferFunction& tf = document_.preset.transfer_function; take != TfParts::both) {
-      tf = combined(tf, preset.transfer_function, take);
+      tf = combined(tf, preset.transfer_function, take, false);
       say(fmt::format("Took {} from {}", take == TfParts::colors ? "the colours" : "the opacities",
                       name_or_path));
       return;
@@ -150,12 +153,20 @@ void Studio::take_import(const StudioRequests::Import& choice) {
   const std::vector<Imported> all = std::exchange(imported_, {});
   if (choice.index < 0 || choice.index >= int(all.size())) return;
   const Imported& one = all[std::size_t(choice.index)];
-  if (choice.take != TfParts::both) {
-    TransferFunction& tf = document_.preset.transfer_function;
-    tf = combined(tf, one.preset.transfer_function, choice.take);
-  } else {
-    document_.preset = one.preset;
+  TransferFunction read = one.preset.transfer_function;
+  if (loaded_.volume) {
+    const Grid& grid = loaded_.volume->grid;
+    read = for_volume(one, glm::dvec3(grid.dims) * grid.spacing);
+  }
+  // How the preset is rendered, and from where, stays; but for a light that the file asks for
+  Preset& preset = document_.preset;
+  preset.transfer_function = combined(preset.transfer_function, read, choice.take, choice.fit);
+  if (choice.take == TfParts::both) {
+    preset.name = one.preset.name;
+    if (one.preset.rendering.shading != Shading::none)
+      preset.rendering.shading = one.preset.rendering.shading;
     document_.preset_path.clear();
+    fit_ = nullptr;
   }
   say(fmt::format("Imported {} from {}", one.preset.name, imported_from_));
 }
@@ -233,6 +244,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.close_requested = close_requested;
   if (is_loading()) inputs.loading = loader_.source();
   inputs.imported = imported_;
+  inputs.import_take = import_take_;
   inputs.export_picture = export_picture_.picture();
   inputs.message = message_;
   inputs.message_is_error = message_is_error_;

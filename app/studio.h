@@ -81,6 +81,7 @@ class Studio {
   BackgroundSweep sweep_;
   std::vector<Imported> imported_;  ///< from imported_from_, while the person chooses
   std::string imported_from_;
+  TfParts import_take_ = TfParts::both;  ///< as the file was opened
   ExportPictureMaker export_picture_;
   RecentFiles recent_;
   std::string message_, performance_;

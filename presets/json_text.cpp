@@ -143,6 +143,8 @@ std::string print_json(const Json& json) {
   return text + "\n";
 }
 
+std::string pretty(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+
 std::string summary_of(const Json& json) {
   if (json.is_structured() && json.size() > 4)
     return json.is_array() ? fmt::format("an array of {}", json.size()) : "an object";

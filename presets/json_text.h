@@ -18,6 +18,9 @@ Json parse_json(std::string_view text);
 /// of an array on one line. Ends with a newline.
 std::string print_json(const Json& json);
 
+/// For the standard output, indented; what is no UTF-8 in it is replaced.
+std::string pretty(const Json& json);
+
 /// One line of at most some forty characters, for messages.
 std::string summary_of(const Json& json);
 

@@ -45,8 +45,12 @@ Preset parse_preset(std::string_view text, std::string_view source) {
 }
 
 bool is_own_preset(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, false);
-  return json.is_object() && json.contains("transfer_function");
+  try {
+    const Json json = parse_json(text);
+    return json.is_object() && json.contains("transfer_function");
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 std::string write_preset(const Preset& preset) { return print_json(preset_to_json(preset, Fields::telling)); }

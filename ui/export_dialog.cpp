@@ -28,8 +28,9 @@ ExportInput input_of(const Document& document, const StudioInputs& inputs, const
 
 /// What is lost and what to do, once for each preset, format and size.
 void update_sentences(const Document& document, const StudioInputs& inputs, ExportDialog& dialog) {
-  const ExportDialog::Shown wanted{dialog.format, dialog.automatic_rows ? 0 : dialog.rows, inputs.volume,
-                                   document.preset};
+  const ExportDialog::Shown wanted{dialog.format,        dialog.automatic_rows ? 0 : dialog.rows,
+                                   inputs.volume,        document.volume_source,
+                                   document.preset_path, document.preset};
   if (dialog.shown == wanted) return;
   dialog.shown = wanted;
   dialog.losses.clear();

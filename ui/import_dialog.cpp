@@ -11,13 +11,21 @@ namespace {
 
 constexpr const char* title = "Import a transfer function";
 
+/// What has no opacities is taken for its colours, and maps over 0..1 are laid over the data, as in ParaView.
+void choose(ImportDialog& dialog, std::span<const Imported> all, int index) {
+  const Imported& one = all[std::size_t(index)];
+  dialog.chosen = index;
+  if (!one.has_opacities && dialog.take == TfParts::both) dialog.take = TfParts::colors;
+  dialog.fit = is_over_unit_range(one.preset.transfer_function);
+}
+
 void list_of_presets(StudioState& state, std::span<const Imported> all) {
   ImGui::BeginChild("imported", {0, scaled(220)}, true);
   for (int i = 0; i < int(all.size()); ++i) {
     const Imported& one = all[std::size_t(i)];
     if (ImGui::Selectable(fmt::format("{}##{}", one.preset.name, i).c_str(), state.import_dialog.chosen == i,
                           ImGuiSelectableFlags_DontClosePopups))
-      state.import_dialog.chosen = i;
+      choose(state.import_dialog, all, i);
     note_item(state.widgets, fmt::format("import/{}", i));
     ImGui::SameLine(scaled(300));
     ImGui::TextDisabled("%d points%s", int(one.preset.transfer_function.points.size()),
@@ -43,8 +51,8 @@ void parts_choice(WidgetState& widgets, TfParts& take) {
 void import_dialog(StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   ImportDialog& dialog = state.import_dialog;
   if (!inputs.imported.empty() && !ImGui::IsPopupOpen(title)) {
-    dialog = {};
-    if (!inputs.imported.front().has_opacities) dialog.take = TfParts::colors;
+    dialog = {.chosen = -1, .take = inputs.import_take, .fit = false};
+    choose(dialog, inputs.imported, 0);
     ImGui::OpenPopup(title);
   }
   const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -60,16 +68,20 @@ void import_dialog(StudioState& state, const StudioInputs& inputs, StudioRequest
   dialog.chosen = std::clamp(dialog.chosen, 0, int(all.size()) - 1);
   list_of_presets(state, all);
   parts_choice(state.widgets, dialog.take);
+  checkbox(state.widgets, "##fit import", dialog.fit);
+  ImGui::SameLine();
+  ImGui::TextUnformatted("over the range of the present points");
   for (const std::string& note : all[std::size_t(dialog.chosen)].notes) {
     ImGui::Bullet();
     ImGui::TextWrapped("%s", note.c_str());
   }
   ImGui::Spacing();
-  if (ImGui::Button("Import", {scaled(96), 0})) requests.import_choice = {dialog.chosen, dialog.take};
+  if (ImGui::Button("Import", {scaled(96), 0}))
+    requests.import_choice = {dialog.chosen, dialog.take, dialog.fit};
   note_item(state.widgets, "take import");
   ImGui::SameLine();
   const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-  if (ImGui::Button("Cancel", {scaled(96), 0}) || escape) requests.import_choice = {-1, dialog.take};
+  if (ImGui::Button("Cancel", {scaled(96), 0}) || escape) requests.import_choice = {-1, dialog.take, false};
   note_item(state.widgets, "cancel import");
   if (requests.import_choice) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

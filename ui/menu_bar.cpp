@@ -94,14 +94,16 @@ bool convert_domain(Document& document, StudioState& state, const Volume& volume
 }
 
 /// The maps' colours on the points; those over 0..1 are laid over the points' range.
-bool color_map_menu(Document& document, StudioState& state) {
+bool color_map_menu(Document& document, StudioState& state, const StudioInputs& inputs) {
   if (!menu(state, "Colours")) return false;
   bool changed = false;
   static const std::vector<ColorMap> maps = color_maps();
   TransferFunction& tf = document.preset.transfer_function;
   for (const ColorMap& map : maps) {
-    if (item(state, map.name.c_str())) {
-      const TransferFunction before = std::exchange(tf, with_color_map(tf, map, tf.range()));
+    const bool needs_volume = map.in_data_values && tf.domain == Domain::normalized;
+    if (item(state, map.name.c_str(), nullptr, inputs.volume || !needs_volume)) {
+      const ValueRange range = inputs.volume ? inputs.volume->statistics.range : ValueRange{};
+      const TransferFunction before = std::exchange(tf, with_color_map(tf, map, range));
       changed |= !(tf == before);
     }
     tip(map.distinct.empty() ? (map.source + "\nlaid over the points; opacities stay").c_str()
@@ -124,7 +126,7 @@ bool preset_menu(Document& document, StudioState& state, const StudioInputs& inp
   if (item(state, "Save as...", "Ctrl+Shift+S")) ask_for_file(state, document, FilePurpose::save_preset);
   if (item(state, "Export...", "Ctrl+E")) state.export_dialog.asked = true;
   ImGui::Separator();
-  changed |= color_map_menu(document, state);
+  changed |= color_map_menu(document, state, inputs);
   const bool normalized = document.preset.transfer_function.domain == Domain::normalized;
   if (item(state, "Fit to the volume's range", nullptr, inputs.volume != nullptr))
     changed |= fit_to_volume(document, state, *inputs.volume);

@@ -62,8 +62,10 @@ struct StudioInputs {
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
   std::string performance;          ///< e.g. frame times, for the status bar
   ExportPicture export_picture;     ///< of the last preview_export
-  std::span<const Imported>
-      imported;                  ///< what is in a file of another program, while nothing of it is chosen
+  /// What is in a file of another program, while nothing of it is chosen; and what was asked for when it was
+  /// opened.
+  std::span<const Imported> imported;
+  TfParts import_take = TfParts::both;
   bool unsaved_changes = false;  ///< of the preset, the camera aside: worth a question before quitting
   bool close_requested = false;  ///< the window's close button was pressed since the last frame
 };
@@ -76,6 +78,7 @@ struct StudioRequests {
   struct Import {
     int index;  ///< in StudioInputs::imported; -1: none
     TfParts take;
+    bool fit;  ///< over the range of the preset's points
   };
   std::optional<Import> import_choice;
   std::optional<ExportChoice> preview_export;  ///< as long as it is to be seen

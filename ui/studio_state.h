@@ -49,6 +49,8 @@ struct ExportDialog {
   struct Shown {          ///< what the sentences are about
     int format = -1, rows = 0;
     const Volume* volume = nullptr;
+    std::string volume_source;
+    std::filesystem::path preset_path;
     Preset preset;
     bool operator==(const Shown&) const = default;
   };
@@ -58,8 +60,9 @@ struct ExportDialog {
 };
 
 struct ImportDialog {
-  int chosen = 0;
+  int chosen = -1;  ///< none yet
   TfParts take = TfParts::both;
+  bool fit = false;  ///< over the range of the preset's points
 };
 
 struct StudioState {

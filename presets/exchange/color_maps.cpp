@@ -44,9 +44,12 @@ std::vector<ColorMap> color_maps() {
   return maps;
 }
 
-TransferFunction with_color_map(const TransferFunction& tf, const ColorMap& map, ValueRange range) {
+TransferFunction with_color_map(const TransferFunction& tf, const ColorMap& map, ValueRange volume) {
   if (!map.distinct.empty()) return with_distinct_colors(tf, map.distinct);
-  const TransferFunction colors = map.in_data_values ? map.colors : remap_values(map.colors, {0, 1}, range);
+  const bool is_share = map.in_data_values && tf.domain == Domain::normalized;
+  const TransferFunction colors = is_share             ? remap_values(map.colors, volume, {0, 1})
+                                  : map.in_data_values ? map.colors
+                                                       : remap_values(map.colors, {0, 1}, tf.range());
   TransferFunction result = tf;
   for (ControlPoint& point : result.points) point.color = evaluate(colors, point.value).color;
   return result;

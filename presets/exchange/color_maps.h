@@ -18,9 +18,10 @@ struct ColorMap {
 /// All of them, in the order in which they are offered.
 std::vector<ColorMap> color_maps();
 
-/// The TF with the map's colours at its points, opacities untouched. A map over 0..1 is laid over `range`, in
-/// the TF's units. A qualitative one gives each peak, with the points of its flanks, a colour of its own;
-/// other points keep theirs.
-TransferFunction with_color_map(const TransferFunction& tf, const ColorMap& map, ValueRange range);
+/// The TF with the map's colours at its points, opacities untouched. A map over 0..1 is laid over the points'
+/// range; one in data values is looked up in those of the volume, whose range `volume` is, where the TF is
+/// normalized. A qualitative one gives each peak, with the points of its flanks, a colour of its own; other
+/// points keep theirs.
+TransferFunction with_color_map(const TransferFunction& tf, const ColorMap& map, ValueRange volume);
 
 }  // namespace crest

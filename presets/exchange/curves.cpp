@@ -1,9 +1,13 @@
 #include "presets/exchange/curves.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/common.hpp>
+
+#include "presets/error.h"
 
 namespace crest {
 namespace {
@@ -11,6 +15,13 @@ namespace {
 /// Half of 1/255 for the colour, and for the opacity: a line between points is at most that far off.
 constexpr double tolerance = 0.5 / 255;
 constexpr int most_halvings = 12;
+/// What a preset's file has room for.
+constexpr std::size_t most_points = 100000;
+
+void require_room(std::size_t points) {
+  if (points > most_points)
+    throw Error(fmt::format("more than {} points, which a preset does not hold", most_points));
+}
 
 ControlPoint point_at(double value, const glm::dvec3& color, double opacity) {
   return {.value = value, .color = color, .opacity = opacity, .surface = {}, .unknown = {}};
@@ -58,6 +69,7 @@ void follow(const At& at, double from, double to, int halvings, const Add& add) 
 template <class Node, class ValueOf, class Blend>
 TransferFunction curve(std::vector<Node> nodes, const ValueOf& value_of, const Blend& blend,
                        bool is_straight_space) {
+  require_room(nodes.size());
   std::ranges::stable_sort(nodes, {}, &Node::x);
   TransferFunction tf;
   if (!nodes.empty()) tf.points.push_back(point_at(nodes[0].x, value_of(nodes[0]), 0));
@@ -66,6 +78,7 @@ TransferFunction curve(std::vector<Node> nodes, const ValueOf& value_of, const B
     const Shape shape{a.midpoint, a.sharpness};
     const glm::dvec3 begin = value_of(a), end = value_of(b);
     const auto add = [&](double s, const glm::dvec3& value) {
+      require_room(tf.points.size() + 1);
       tf.points.push_back(point_at(s == 1 ? b.x : std::lerp(a.x, b.x, s), value, 0));
     };
     if (a.x == b.x || (shape.is_straight() && is_straight_space)) {
@@ -86,6 +99,7 @@ TransferFunction curve(std::vector<Node> nodes, const ValueOf& value_of, const B
 
 /// In Step the whole way to a node has the node's colour.
 TransferFunction stepped(std::vector<ColorNode> nodes) {
+  require_room(nodes.size());
   std::ranges::stable_sort(nodes, {}, &ColorNode::x);
   TransferFunction tf;
   for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -1,10 +1,12 @@
 // The TF as GLSL source, for a renderer of one's own.
 #include <fmt/core.h>
 
+#include <cmath>
 #include <iterator>
 
+#include "presets/error.h"
 #include "presets/exchange/formats.h"
-#include "presets/exchange/python_text.h"
+#include "presets/exchange/script_text.h"
 #include "presets/exchange/words.h"
 #include "presets/peaks.h"
 
@@ -51,6 +53,11 @@ std::string array_of(const char* type, const char* name, const Elements& element
 
 Exported write_glsl(const ExportInput& input) {
   const TransferFunction& tf = input.preset.transfer_function;
+  if (!(float(tf.unit_distance) > 0) || !std::isfinite(float(tf.unit_distance)))
+    throw Error(fmt::format("the unit distance {} is not a 32-bit float", tf.unit_distance));
+  for (const ControlPoint& point : tf.points)
+    if (!std::isfinite(float(point.value)))
+      throw Error(fmt::format("the value {} is not a 32-bit float", point.value));
   std::vector<Peak> peaks = shown_peaks(find_peaks(tf));
   std::string text = fmt::format("// Written by Crest from the preset \"{}\". GLSL 3.30, GLSL ES 3.00.\n",
                                  one_line(input.name));

@@ -77,13 +77,9 @@ Exported write_inviwo(const ExportInput& input) {
 
 // Its table has 1024 entries (TransferFunction::defaultTextureSize), its sampling two samples a voxel.
 Preset drawn_by_inviwo(const ExportInput& input) {
-  TransferFunction tf = in_inviwo_units(input);
-  const std::vector<double> values = separated_values(tf, drawn_apart);
-  for (std::size_t i = 0; i < values.size(); ++i) tf.points[i].value = values[i];
-  ValueRange range = input.volume ? input.volume->range : tf.range();
-  if (!(range.width() > 0)) range.max = range.min + 1;
-  Preset drawn = drawn_by_vtk(input, values, tf.unit_distance);
-  drawn.transfer_function = tabled(tf, range, 1024);
+  const TransferFunction tf = in_inviwo_units(input);
+  Preset drawn = in_vtk_settings(input.preset);
+  drawn.transfer_function = tabled(tf, separated_values(tf, drawn_apart), range_there(input), 1024);
   drawn.rendering.step = 0.5;
   return drawn;
 }

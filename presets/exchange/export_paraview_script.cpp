@@ -6,7 +6,7 @@
 
 #include "presets/exchange/contributions.h"
 #include "presets/exchange/formats.h"
-#include "presets/exchange/python_text.h"
+#include "presets/exchange/script_text.h"
 #include "presets/exchange/steps.h"
 #include "presets/exchange/vtk_model.h"
 #include "presets/exchange/words.h"
@@ -21,7 +21,7 @@ std::string vtk_type(const std::string& type) {
   if (type == "float64") return "double";
   const bool is_unsigned = type.starts_with('u');
   const std::string bits = type.substr(type.find('t') + 1);
-  const std::string word = bits == "8" ? "char" : bits == "16" ? "short" : bits == "32" ? "int" : "long long";
+  const std::string word = bits == "8" ? "char" : bits == "16" ? "short" : bits == "32" ? "int" : "long";
   return (is_unsigned ? "unsigned " : "") + word;
 }
 
@@ -147,10 +147,6 @@ Exported write_paraview_script(const ExportInput& input) {
   if (!has_file)
     result.losses.emplace_back(
         "the volume is not in a file that ParaView could read: give one to the script");
-  if (input.volume && input.volume->raw && input.volume->raw->offset > 0)
-    result.losses.push_back(
-        fmt::format("the volume begins after {} bytes, which ParaView's reader takes for a part of it",
-                    input.volume->raw->offset));
   say_dark_where_flat(input, result.losses);
   say_no_rendering(input, result.losses);
   result.advice.push_back(
@@ -160,9 +156,7 @@ Exported write_paraview_script(const ExportInput& input) {
 
 Preset drawn_by_paraview_script(const ExportInput& input) {
   const ShownContributions shown = shown_contributions(input.preset);
-  ExportInput dvr = input;
-  dvr.preset.transfer_function = shown.dvr;
-  return drawn_by_vtk(dvr, separated_values(shown.dvr, drawn_apart), shown.dvr.unit_distance);
+  return drawn_by_vtk_with_contours(input, shown, separated_values(shown.dvr, drawn_apart));
 }
 
 }  // namespace crest

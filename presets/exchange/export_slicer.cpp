@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "presets/exchange/contributions.h"
 #include "presets/exchange/formats.h"
 #include "presets/exchange/steps.h"
 #include "presets/exchange/vtk_model.h"
@@ -18,16 +19,27 @@ constexpr double ambient = 0.25, diffuse = 0.75;
 
 bool is_shaded(const ExportInput& input) { return input.preset.rendering.shading != Shading::none; }
 
+/// The schema wants midpoint and sharpness in each point: straight lines.
 Json json_points(const TransferFunction& tf, const std::vector<double>& values, bool colors) {
   Json points = Json::array();
   for (std::size_t i = 0; i < values.size(); ++i) {
     const ControlPoint& p = tf.points[i];
+    Json point = {{"x", values[i]}};
     if (colors)
-      points.push_back({{"x", values[i]}, {"color", {p.color.r, p.color.g, p.color.b}}});
+      point["color"] = {p.color.r, p.color.g, p.color.b};
     else
-      points.push_back({{"x", values[i]}, {"y", p.opacity}});
+      point["y"] = p.opacity;
+    point["midpoint"] = 0.5;
+    point["sharpness"] = 0.0;
+    points.push_back(std::move(point));
   }
   return points;
+}
+
+Json iso_values(const ExportInput& input) {
+  Json values = Json::array();
+  for (const Peak& peak : shown_contributions(input.preset).surfaces) values.push_back(peak.value);
+  return values;
 }
 
 /// What both forms lose.
@@ -62,13 +74,15 @@ Exported write_slicer(const ExportInput& input) {
       {"scalarOpacityUnitDistance", tf.unit_distance},
       {"scalarOpacity", {{"type", "piecewiseLinearFunction"}, {"points", json_points(tf, values, false)}}},
       {"gradientOpacity",
-       {{"type", "piecewiseLinearFunction"}, {"points", Json::array({{{"x", 0.0}, {"y", 1.0}}})}}}};
+       {{"type", "piecewiseLinearFunction"},
+        {"points", Json::array({{{"x", 0.0}, {"y", 1.0}, {"midpoint", 0.5}, {"sharpness", 0.0}}})}}}};
   const Json file = {{"@schema",
                       "https://raw.githubusercontent.com/slicer/slicer/main/Modules/Loadable/VolumeRendering/"
                       "Resources/Schema/"
                       "volume-property-schema-v1.0.0.json#"},
                      {"volumeProperties", Json::array({{{"name", input.name},
                                                         {"effectiveRange", {range.min, range.max}},
+                                                        {"isoSurfaceValues", iso_values(input)},
                                                         {"interpolationType", "linear"},
                                                         {"components", Json::array({component})}}})}};
   Exported result;

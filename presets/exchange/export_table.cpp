@@ -9,6 +9,7 @@
 #include "presets/error.h"
 #include "presets/exchange/formats.h"
 #include "presets/exchange/png_strip.h"
+#include "presets/exchange/script_text.h"
 #include "presets/exchange/table.h"
 #include "presets/exchange/vtk_model.h"
 #include "presets/exchange/words.h"
@@ -16,17 +17,10 @@
 namespace crest {
 namespace {
 
-/// The TF's values, or, for formats that say nothing of their range, those of the volume. One of no width
-/// counts as 1.
-ValueRange table_range(const ExportInput& input, bool of_volume) {
-  ValueRange range = of_volume && input.volume ? input.volume->range : input.preset.transfer_function.range();
-  if (!(range.width() > 0)) range.max = range.min + 1;
-  return range;
-}
-
 TfTable1d table_of(const ExportInput& input, bool of_volume) {
   const TransferFunction& tf = input.preset.transfer_function;
-  const ValueRange range = table_range(input, of_volume);
+  // Formats that say nothing of their range have that of the volume
+  const ValueRange range = of_volume ? range_there(input) : with_width(tf.range());
   if (input.rows != 0 && (input.rows < 2 || input.rows > most_table_rows))
     throw Error(fmt::format("{} samples are not in [2, {}]", input.rows, most_table_rows));
   return make_table(tf, range, input.rows ? input.rows : fewest_rows(tf, range));
@@ -146,21 +140,22 @@ Exported write_1dt(const ExportInput& input) {
 Exported write_f3d(const ExportInput& input) {
   ExportInput scaled = input;
   scaled.preset.transfer_function = with_unit_distance(input.preset.transfer_function, 1);
-  if (scaled.rows == 0) scaled.rows = fewest_rows(scaled.preset.transfer_function, table_range(scaled, true));
   const TfTable1d table = table_of(scaled, true);
   std::vector<glm::dvec4> opacities;
   for (const glm::dvec4& c : table.rows) opacities.emplace_back(c.a, c.a, c.a, 1);
   Exported result;
-  const std::string volume = input.volume && !input.volume->file.empty() ? input.volume->file : "VOLUME";
+  const glm::dvec3 background = input.preset.rendering.background;
   std::string text = fmt::format(
       "#!/bin/sh\n# Written by Crest from the preset \"{}\". Needs F3D 3.5 or newer.\n"
-      "here=$(dirname \"$0\")\n"
-      "f3d \"${{1:-{}}}\" --volume --coloring-range={},{} \\\n"
-      "  --colormap-file=\"$here/{}-colors.png\" --volume-opacity-file=\"$here/{}-opacity.png\" \\\n"
+      "here=$(dirname \"$0\")\nvolume={}\n[ $# -gt 0 ] && volume=$1\n"
+      "f3d \"$volume\" --volume --coloring-range={},{} \\\n"
+      "  --colormap-file=\"$here\"/{} --volume-opacity-file=\"$here\"/{} \\\n"
       "  --background-color={},{},{}\n",
-      input.name, volume, number(table.range.min), number(table.range.max), input.stem, input.stem,
-      number(input.preset.rendering.background.r), number(input.preset.rendering.background.g),
-      number(input.preset.rendering.background.b));
+      one_line(input.name),
+      shell_string(input.volume && !input.volume->file.empty() ? input.volume->file : "VOLUME"),
+      number(table.range.min), number(table.range.max), shell_string(input.stem + "-colors.png"),
+      shell_string(input.stem + "-opacity.png"), number(background.r), number(background.g),
+      number(background.b));
   result.files.push_back({"", std::move(text)});
   result.files.push_back({"-colors.png", png_strip(table.rows, 3)});
   result.files.push_back({"-opacity.png", png_strip(opacities, 3)});
@@ -172,16 +167,12 @@ Exported write_f3d(const ExportInput& input) {
   return result;
 }
 
-Preset drawn_by_table(const ExportInput& input) {
-  const TfTable1d table = table_of(input, true);
-  Preset drawn = drawn_by_vtk(
-      input,
-      [&] {
-        std::vector<double> values;
-        for (const ControlPoint& p : input.preset.transfer_function.points) values.push_back(p.value);
-        return values;
-      }(),
-      input.preset.transfer_function.unit_distance);
+namespace {
+
+/// VTK's rendering, of the table's own rows.
+Preset drawn_by(const ExportInput& input, bool of_volume) {
+  const TfTable1d table = table_of(input, of_volume);
+  Preset drawn = in_vtk_settings(input.preset);
   TransferFunction& tf = drawn.transfer_function;
   tf.points.clear();
   for (std::size_t row = 0; row < table.rows.size(); ++row)
@@ -193,10 +184,16 @@ Preset drawn_by_table(const ExportInput& input) {
   return drawn;
 }
 
+}  // namespace
+
+Preset drawn_by_table(const ExportInput& input) { return drawn_by(input, false); }
+
+Preset drawn_by_volume_table(const ExportInput& input) { return drawn_by(input, true); }
+
 Preset drawn_by_f3d(const ExportInput& input) {
   ExportInput scaled = input;
   scaled.preset.transfer_function = with_unit_distance(input.preset.transfer_function, 1);
-  return drawn_by_table(scaled);
+  return drawn_by(scaled, true);
 }
 
 }  // namespace crest

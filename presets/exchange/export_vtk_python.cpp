@@ -5,7 +5,7 @@
 
 #include "presets/exchange/contributions.h"
 #include "presets/exchange/formats.h"
-#include "presets/exchange/python_text.h"
+#include "presets/exchange/script_text.h"
 #include "presets/exchange/steps.h"
 #include "presets/exchange/vtk_model.h"
 #include "presets/exchange/words.h"
@@ -96,9 +96,7 @@ Exported write_vtk_python(const ExportInput& input) {
 
 Preset drawn_by_vtk_python(const ExportInput& input) {
   const ShownContributions shown = shown_contributions(input.preset);
-  ExportInput dvr = input;
-  dvr.preset.transfer_function = shown.dvr;
-  return drawn_by_vtk(dvr, separated_values(shown.dvr, drawn_apart), shown.dvr.unit_distance);
+  return drawn_by_vtk_with_contours(input, shown, separated_values(shown.dvr, drawn_apart));
 }
 
 }  // namespace crest

@@ -42,16 +42,11 @@ Exported write_vtkjs(const ExportInput& input) {
   return result;
 }
 
+// One size for all tables (Sources/Rendering/OpenGL/VolumeMapper)
 Preset drawn_by_vtkjs(const ExportInput& input) {
-  const TransferFunction& tf = input.preset.transfer_function;
-  Preset drawn = drawn_by_vtk(input, separated_values(tf, drawn_apart), tf.unit_distance);
-  TransferFunction read = tf;
-  const std::vector<double> values = separated_values(tf, drawn_apart);
-  for (std::size_t i = 0; i < values.size(); ++i) read.points[i].value = values[i];
-  ValueRange range = input.volume ? input.volume->range : tf.range();
-  if (!(range.width() > 0)) range.max = range.min + 1;
-  drawn.transfer_function =
-      tabled(read, range, 1024);  // Sources/Rendering/OpenGL/VolumeMapper: one size for all
+  Preset drawn = in_vtk_settings(input.preset);
+  TransferFunction& tf = drawn.transfer_function;
+  tf = tabled(tf, separated_values(tf, drawn_apart), range_there(input), 1024);
   return drawn;
 }
 

@@ -26,9 +26,9 @@ std::span<const Exporter> exporters() {
        drawn_by_table, table},
       {"npy", ".npy", "the same for NumPy: scripts, napari, matplotlib, yt", write_npy, drawn_by_table,
        table},
-      {"png", ".png", "the same as a picture of one row, 16 bits a channel", write_png, drawn_by_table,
+      {"png", ".png", "the same as a picture of one row, 16 bits a channel", write_png, drawn_by_volume_table,
        table},
-      {"1dt", ".1dt", "the same for ImageVis3D and VisRTX", write_1dt, drawn_by_table, table},
+      {"1dt", ".1dt", "the same for ImageVis3D and VisRTX", write_1dt, drawn_by_volume_table, table},
       {"f3d", ".sh", "the same for F3D: two pictures and the command line", write_f3d, drawn_by_f3d, table},
       {"glsl", ".glsl", "the function as source, and the peaks, for a renderer of your own", write_glsl,
        drawn_by_glsl},
@@ -55,7 +55,8 @@ Preset ready_for_export(const Preset& preset, const std::optional<ExportVolume>&
   }
   if (tf.domain == Domain::normalized)
     throw Error(
-        "the preset is normalized: its values are shares of a volume's range: open the volume, or name it (--volume)");
+        "the preset is normalized: its values are shares of a volume's range: open the volume, or name it "
+        "(--volume)");
   if (tf.unit == LengthUnit::voxel)
     throw Error("the preset's unit distance is in voxels: open the volume, or name it (--volume)");
   return ready;

@@ -31,7 +31,8 @@ Exported write_npy(const ExportInput& input);
 Exported write_png(const ExportInput& input);
 Exported write_1dt(const ExportInput& input);
 Exported write_f3d(const ExportInput& input);
-Preset drawn_by_table(const ExportInput& input);
+Preset drawn_by_table(const ExportInput& input);         // over the TF's own range
+Preset drawn_by_volume_table(const ExportInput& input);  // over the volume's
 Preset drawn_by_f3d(const ExportInput& input);
 
 Exported write_glsl(const ExportInput& input);

@@ -70,12 +70,17 @@ bool is_ascending(const std::vector<double>& flat, std::size_t stride) {
   return true;
 }
 
-/// x, opacity, midpoint, sharpness each, as ParaView writes them; else pairs.
+/// x, opacity, midpoint, sharpness each, as ParaView writes them; else pairs. Where they could be either -
+/// ascending both ways - they are quads if all are straight lines (0.5, 0), and more than one.
 bool are_quads(const std::vector<double>& flat) {
   if (flat.size() % 4 != 0 || !is_ascending(flat, 4)) return false;
-  for (std::size_t i = 0; i < flat.size(); ++i)
-    if (i % 4 != 0 && !(flat[i] >= 0 && flat[i] <= 1)) return false;
-  return !(flat.size() == 4 && is_ascending(flat, 2) && flat[0] < flat[2]);
+  bool are_straight = true;
+  for (std::size_t i = 0; i < flat.size(); i += 4) {
+    for (const std::size_t k : {1u, 2u, 3u})
+      if (!(flat[i + k] >= 0 && flat[i + k] <= 1)) return false;
+    are_straight = are_straight && flat[i + 2] == 0.5 && flat[i + 3] == 0;
+  }
+  return !is_ascending(flat, 2) || (are_straight && flat.size() > 4);
 }
 
 std::vector<OpacityNode> opacity_nodes(const Json& map, std::vector<std::string>& notes) {
@@ -136,15 +141,13 @@ Imported read_map(const Json& map) {
   return result;
 }
 
-/// Of an object's key of which the value has another type than is expected.
-template <class Work>
-auto told(std::size_t index, const Work& work) {
+/// Why a map cannot be read, whatever it was that stumbled over it.
+std::string why_not(const Json& map, std::vector<Imported>& all) {
   try {
-    return work();
-  } catch (const Json::exception& error) {
-    throw Error(fmt::format("colour map {}: {}", index, error.what()));
-  } catch (const Error& error) {
-    throw Error(fmt::format("colour map {}: {}", index, error.what()));
+    all.push_back(read_map(map));
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
   }
 }
 
@@ -152,7 +155,8 @@ auto told(std::size_t index, const Work& work) {
 
 bool is_color_map_json(std::string_view content, std::string_view extension) {
   if (extension != ".json") return false;
-  return content.find("\"RGBPoints\"") != content.npos || content.find("\"IndexedColors\"") != content.npos ||
+  return content.find("\"RGBPoints\"") != content.npos || content.find("\"Points\"") != content.npos ||
+         content.find("\"IndexedColors\"") != content.npos ||
          content.find("\"OpacityPoints\"") != content.npos;
 }
 
@@ -169,13 +173,15 @@ std::vector<Imported> read_color_map_json(std::string_view content) {
   }
   if (root.is_object()) root = Json::array({root});
   std::vector<Imported> all;
+  std::string fault;  // of the first one that cannot be read: told where no other can
   for (std::size_t i = 0; root.is_array() && i < root.size(); ++i) {
     if (!is_color_map(root[i])) continue;
-    if (!root[i].contains("RGBPoints") && root.size() > 1 && root[i].contains("IndexedColors")) continue;
-    all.push_back(told(i, [&] { return read_map(root[i]); }));
-    if (had_doubled_commas)
+    const std::string why = why_not(root[i], all);
+    if (!why.empty() && fault.empty()) fault = fmt::format("colour map {}: {}", i, why);
+    if (why.empty() && had_doubled_commas)
       all.back().notes.emplace_back("commas that stand twice in the file are read as one");
   }
+  if (all.empty() && !fault.empty()) throw Error(fault);
   if (all.empty()) throw Error("no colour map with RGBPoints is in the file");
   return all;
 }

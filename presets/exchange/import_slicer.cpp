@@ -25,9 +25,16 @@ void require_unit(double number, const char* what, double x) {
 Imported make_imported(std::string name, std::vector<ColorNode> colors, std::vector<OpacityNode> opacities,
                        bool shaded) {
   if (colors.empty() && opacities.empty()) throw Error("has neither colours nor opacities");
-  for (const ColorNode& n : colors)
+  for (const ColorNode& n : colors) {
     for (const double c : {n.color.r, n.color.g, n.color.b}) require_unit(c, "colour", n.x);
-  for (const OpacityNode& n : opacities) require_unit(n.opacity, "opacity", n.x);
+    require_unit(n.midpoint, "midpoint", n.x);
+    require_unit(n.sharpness, "sharpness", n.x);
+  }
+  for (const OpacityNode& n : opacities) {
+    require_unit(n.opacity, "opacity", n.x);
+    require_unit(n.midpoint, "midpoint", n.x);
+    require_unit(n.sharpness, "sharpness", n.x);
+  }
   Imported result;
   result.preset.name = std::move(name);
   result.has_colors = !colors.empty();

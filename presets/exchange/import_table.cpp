@@ -51,6 +51,16 @@ std::array<double, 4> rgba_of(std::span<const double> numbers, std::size_t line)
   return rgba;
 }
 
+/// Whether a line holds names and no number.
+bool is_heading(std::string_view line) {
+  while (!line.empty()) {
+    const std::size_t end = std::min(line.find_first_of(",; \t"), line.size());
+    if (end > 0 && to_numbers(line.substr(0, end))) return false;
+    line.remove_prefix(std::min(end + 1, line.size()));
+  }
+  return true;
+}
+
 }  // namespace
 
 bool is_1dt(std::string_view, std::string_view extension) { return extension == ".1dt"; }
@@ -92,11 +102,11 @@ std::vector<Imported> read_csv(std::string_view content) {
   std::vector<Row> rows;
   bool has_value = true;
   double opacity = 0, extinction = 0;  // of the row from which the unit distance follows best
+  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
   const std::vector<std::string_view> lines = lines_of(content);
-  std::vector<std::array<double, 4>> entries;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto numbers = to_numbers(lines[i]);
-    if (!numbers && i == 0) continue;  // the columns' names
+    if (!numbers && i == 0 && is_heading(lines[i])) continue;
     if (!numbers)
       throw Error(fmt::format("line {}: not numbers: {}", i + 1, std::string(lines[i].substr(0, 40))));
     if (numbers->empty()) continue;

@@ -94,17 +94,26 @@ std::vector<Imported> read_inviwo(std::string_view content) {
   const pugi::xml_node root = document.child("InviwoWorkspace");
   if (!root) throw Error("not a transfer function of Inviwo's: <InviwoWorkspace> is missing");
   Imported result;
+  struct Point {
+    double x, opacity;
+    glm::dvec3 color;
+  };
+  std::vector<Point> points;
+  for (const pugi::xml_node& point : root.child("Points").children("Point")) {
+    const pugi::xml_node rgba = point.child("rgba");
+    points.push_back({number(point.child("pos"), "content"),
+                      unit_number(rgba, "w"),
+                      {unit_number(rgba, "x"), unit_number(rgba, "y"), unit_number(rgba, "z")}});
+  }
+  if (points.empty()) throw Error("has no <Point> with <pos> and <rgba>");
+  // As Inviwo sorts them: by position, then by opacity
+  std::ranges::stable_sort(points, {}, [](const Point& p) { return std::pair(p.x, p.opacity); });
   std::vector<ColorNode> colors;
   std::vector<OpacityNode> opacities;
-  for (const pugi::xml_node& point : root.child("Points").children("Point")) {
-    const double x = number(point.child("pos"), "content");
-    const pugi::xml_node rgba = point.child("rgba");
-    colors.push_back({x, {unit_number(rgba, "x"), unit_number(rgba, "y"), unit_number(rgba, "z")}});
-    opacities.push_back({x, unit_number(rgba, "w")});
+  for (const Point& p : points) {
+    colors.push_back({p.x, p.color});
+    opacities.push_back({p.x, p.opacity});
   }
-  if (colors.empty()) throw Error("has no <Point> with <pos> and <rgba>");
-  // Inviwo sorts by position, then by opacity
-  std::ranges::stable_sort(opacities, {}, [](const OpacityNode& n) { return std::pair(n.x, n.opacity); });
   TransferFunction& tf = result.preset.transfer_function;
   tf = straightened(std::move(colors), std::move(opacities), ColorSpace::rgb);
   constexpr int relative = 0;
@@ -112,9 +121,9 @@ std::vector<Imported> read_inviwo(std::string_view content) {
   const double mask_min = root.child("maskMin").attribute("content").as_double(0),
                mask_max = root.child("maskMax").attribute("content").as_double(1);
   if (mask_min > 0 || mask_max < 1) result.notes.emplace_back("the mask is not kept");
+  result.share_of_side = 1.0 / 150;
   result.notes.emplace_back(
-      "Inviwo's opacity is that of 1/150 of the volume's side, which is not known here: one world unit is "
-      "taken");
+      "opacities are those of 1/150 of the volume's side: one world unit is taken where no volume is known");
   return {std::move(result)};
 }
 

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "presets/atomic_file.h"
 #include "presets/error.h"
 #include "presets/exchange/curves.h"
 #include "presets/exchange/import_formats.h"
+#include "presets/json.h"
+#include "presets/preset_json.h"
 
 namespace crest {
 namespace {
@@ -53,18 +56,31 @@ const Importer* find_importer(std::string_view content, const std::filesystem::p
 }
 
 std::vector<Imported> import_presets(const std::filesystem::path& path) {
-  const std::string content = read_file(path, largest_file);
-  const Importer* importer = find_importer(content, path);
+  return import_presets(read_file(path, largest_file), path);
+}
+
+std::vector<Imported> import_presets(std::string_view content, const std::filesystem::path& name) {
+  const Importer* importer = find_importer(content, name);
   if (!importer)
-    throw Error(fmt::format("{}: none of the formats that are imported: {}", path.string(), summaries()));
+    throw Error(fmt::format("{}: none of the formats that are imported: {}", name.string(), summaries()));
   try {
     std::vector<Imported> all = importer->read(content);
-    for (Imported& one : all)
-      if (one.preset.name.empty()) one.preset.name = path.stem().string();
+    for (Imported& one : all) {
+      if (one.preset.name.empty()) one.preset.name = name.stem().string();
+      preset_from_json(
+          preset_to_json(one.preset, Fields::telling));  // what a preset may not hold is not let in
+    }
     return all;
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", path.string(), error.what()));
+    throw Error(fmt::format("{}: {}", name.string(), error.what()));
   }
+}
+
+TransferFunction for_volume(const Imported& imported, const glm::dvec3& size) {
+  TransferFunction tf = imported.preset.transfer_function;
+  if (imported.share_of_side > 0)
+    tf.unit_distance = imported.share_of_side * std::cbrt(size.x * size.y * size.z);
+  return tf;
 }
 
 const Imported& choose(const std::vector<Imported>& all, std::string_view name, std::string_view source) {
@@ -79,22 +95,24 @@ const Imported& choose(const std::vector<Imported>& all, std::string_view name, 
                            : fmt::format("{}: has no preset named {}; there are:{}", source, name, names));
 }
 
-TransferFunction combined(const TransferFunction& base, const TransferFunction& other, TfParts take) {
-  if (take == TfParts::both || base.points.empty()) return other;
+TransferFunction combined(const TransferFunction& base, const TransferFunction& other, TfParts take,
+                          bool fit) {
   TransferFunction fitted = other;
-  if (base.domain != other.domain) {
+  if (!base.points.empty() && (fit || (take != TfParts::both && base.domain != other.domain))) {
     fitted = remap_values(other, other.range(), base.range());
     fitted.domain = base.domain;
   }
-  if (take == TfParts::colors) {
-    TransferFunction result = merged(fitted, base);
-    return result;
-  }
+  if (take == TfParts::both || base.points.empty()) return fitted;
+  if (take == TfParts::colors) return merged(fitted, base);
   TransferFunction result = merged(base, fitted);
   result.min_prominence = base.min_prominence;
   result.plateau_width = base.plateau_width;
   result.spike_width = base.spike_width;
   return result;
+}
+
+bool is_over_unit_range(const TransferFunction& tf) {
+  return tf.domain == Domain::data && tf.range() == ValueRange{0, 1};
 }
 
 }  // namespace crest

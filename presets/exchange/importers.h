@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,9 @@ struct Imported {
   std::vector<std::string>
       notes;  ///< what the file did not say and was assumed, or could not be kept: sentences
   bool has_colors = true, has_opacities = true;
+  /// Opacities are those of this share of the volume's side, which the file does not know; 0: as the preset
+  /// says.
+  double share_of_side = 0;
 };
 
 /// One format that presets are read from. A new one is a new file, and one line in the table.
@@ -34,8 +38,14 @@ std::span<const Importer> importers();
 const Importer* find_importer(std::string_view content, const std::filesystem::path& name);
 
 /// All presets in a file. Throws Error, which begins with the file's name: that it is none of the known
-/// formats, or what is wrong in it. At most 64 MB.
+/// formats, or what is wrong in it; also what a preset cannot hold. At most 64 MB.
 std::vector<Imported> import_presets(const std::filesystem::path& path);
+/// Of its content.
+std::vector<Imported> import_presets(std::string_view content, const std::filesystem::path& name);
+
+/// Its TF, with the unit distance that a share of the side of a volume of this size is (of the mean of its
+/// three).
+TransferFunction for_volume(const Imported& imported, const glm::dvec3& volume_size);
 
 /// The one of this name; without a name, the only one. Throws Error that lists the names.
 const Imported& choose(const std::vector<Imported>& all, std::string_view name, std::string_view source);
@@ -43,8 +53,13 @@ const Imported& choose(const std::vector<Imported>& all, std::string_view name, 
 /// What to take of a TF that is opened.
 enum class TfParts { both, colors, opacities };
 
-/// `base` with the colours or the opacities of `other`, over the points of both; or `other` whole. They are
-/// in the same domain, or the other's points are laid over the base's range.
-TransferFunction combined(const TransferFunction& base, const TransferFunction& other, TfParts take);
+/// `base` with the colours or the opacities of `other`, over the points of both; or `other` whole. With
+/// `fit`, and where the two are not in the same domain, the other's points are first laid over the base's
+/// range.
+TransferFunction combined(const TransferFunction& base, const TransferFunction& other, TfParts take,
+                          bool fit);
+
+/// Whether a TF is over 0..1, as maps are that a person lays over data.
+bool is_over_unit_range(const TransferFunction& tf);
 
 }  // namespace crest

@@ -13,10 +13,24 @@ constexpr double tolerance = 1.0 / 255;
 
 bool is_within(double value, ValueRange range) { return value >= range.min && value <= range.max; }
 
-/// Inner points that are higher than their neighbours; of points that share a value, the highest.
-bool is_peak(const Points& points, std::size_t i) {
-  return i > 0 && i + 1 < points.size() && points[i].opacity > points[i - 1].opacity &&
-         points[i].opacity > points[i + 1].opacity;
+/// A point, or several of one opacity, higher than what is on either side: as peaks are found, shown or not.
+struct Summit {
+  std::size_t point;  ///< whose colour it has
+  double first, last;
+
+  double middle() const { return 0.5 * (first + last); }
+};
+
+std::vector<Summit> summits_of(const Points& points) {
+  std::vector<Summit> summits;
+  for (std::size_t first = 0, past = 0; first < points.size(); first = past) {
+    while (past < points.size() && points[past].opacity == points[first].opacity) ++past;
+    const double opacity = points[first].opacity;
+    if (first > 0 && past < points.size() && points[first - 1].opacity < opacity &&
+        points[past].opacity < opacity)
+      summits.push_back({first, points[first].value, points[past - 1].value});
+  }
+  return summits;
 }
 
 /// Where a value lies among the rows.
@@ -42,18 +56,20 @@ double distance(const glm::dvec4& entry, const ControlPoint& point) {
 /// The rows of a table, those of peaks put in; only those that are asked for are made.
 class Rows {
  public:
-  Rows(const TransferFunction& tf, ValueRange range, int count) : tf_(tf), range_(range), count_(count) {
-    for (std::size_t i = 0; i < tf.points.size(); ++i) {
-      if (!is_peak(tf.points, i) || !is_within(tf.points[i].value, range)) continue;
-      const double place = row_of(tf.points[i].value, range, count);
-      const auto row = std::size_t(std::lround(place));
-      const bool is_between = row_value(range, row, count) != tf.points[i].value;
+  Rows(const TransferFunction& tf, const std::vector<Summit>& summits, ValueRange range, int count)
+      : tf_(tf), range_(range), count_(count) {
+    for (const Summit& summit : summits) {
+      if (!is_within(summit.middle(), range)) continue;
+      const double first = row_of(summit.first, range, count), last = row_of(summit.last, range, count);
+      if (std::ceil(first) <= std::floor(last) && summit.first < summit.last) continue;  // a row is on it
+      const auto row = std::size_t(std::lround(row_of(summit.middle(), range, count)));
+      const bool is_between = row_value(range, row, count) != summit.middle();
       if (!peaks_.empty() && peaks_.back().row == row) {
         ++lost;
-        if (tf.points[peaks_.back().point].opacity < tf.points[i].opacity)
-          peaks_.back() = {row, i, is_between};
+        if (tf.points[peaks_.back().point].opacity < tf.points[summit.point].opacity)
+          peaks_.back() = {row, summit.point, is_between};
       } else {
-        peaks_.push_back({row, i, is_between});
+        peaks_.push_back({row, summit.point, is_between});
       }
     }
     widened = int(std::ranges::count_if(peaks_, &PeakRow::is_between));
@@ -76,8 +92,7 @@ class Rows {
     const auto below = std::min(std::size_t(place), std::size_t(count_ - 2));
     const double between = place - double(below);
     double error = distance(at(below) * (1 - between) + at(below + 1) * between, point);
-    if (is_peak(tf_.points, i)) return std::min(error, distance(at(std::size_t(std::lround(place))), point));
-    if (!is_crowded(i)) return error;
+    if (!is_crowded(i) && !is_tip(i)) return error;
     const auto first = std::size_t(std::max(0.0, std::ceil(place - 1.5)));
     const auto last = std::size_t(std::min(count_ - 1.0, std::floor(place + 1.5)));
     for (std::size_t row = first; row <= last; ++row) error = std::min(error, distance(at(row), point));
@@ -91,6 +106,10 @@ class Rows {
     std::size_t row, point;
     bool is_between;
   };
+  bool is_tip(std::size_t i) const {
+    const auto found = std::ranges::lower_bound(peaks_, i, {}, &PeakRow::point);
+    return found != peaks_.end() && found->point == i;
+  }
   bool is_crowded(std::size_t i) const {
     const double least = 2 * range_.width() / most_automatic_rows;
     const Points& points = tf_.points;
@@ -109,7 +128,7 @@ class Rows {
 double TfTable1d::value(std::size_t row) const { return row_value(range, row, int(rows.size())); }
 
 TfTable1d make_table(const TransferFunction& tf, ValueRange range, int count) {
-  const Rows rows(tf, range, count);
+  const Rows rows(tf, summits_of(tf.points), range, count);
   TfTable1d table{.range = range, .rows = {}, .widened = rows.widened, .lost = rows.lost};
   table.rows.reserve(std::size_t(count));
   for (std::size_t row = 0; row < std::size_t(count); ++row) table.rows.push_back(rows.at(row));
@@ -122,12 +141,21 @@ TfTable1d make_table(const TransferFunction& tf, ValueRange range, int count) {
 }
 
 int fewest_rows(const TransferFunction& tf, ValueRange range) {
+  if (tf.points.size() > most_automatic_rows / 4)
+    return most_automatic_rows;  // hardly fewer, and long to find
+  const std::vector<Summit> summits = summits_of(tf.points);
+  // Two peaks that are apart by less than a row's width may share one
+  double least_gap = range.width();
+  for (std::size_t i = 1; i < summits.size(); ++i)
+    least_gap = std::min(least_gap, summits[i].middle() - summits[i - 1].middle());
+  const double least = std::max(0.5 * range.width() / std::max(least_gap, 1e-300), 2.0);
+  if (!(least < most_automatic_rows)) return most_automatic_rows;
   std::size_t hardest = 0;  // which failed last is asked first
-  for (int count = 2; count < most_automatic_rows; ++count) {
-    const Rows rows(tf, range, count);
+  for (int count = int(least); count < most_automatic_rows; ++count) {
+    const Rows rows(tf, summits, range, count);
     if (rows.lost > 0) continue;
     const auto fails = [&](std::size_t i) { return rows.error_at(i) > tolerance; };
-    if (!tf.points.empty() && fails(hardest)) continue;
+    if (fails(hardest)) continue;
     bool holds = true;
     for (std::size_t i = 0; holds && i < tf.points.size(); ++i)
       if (fails(i)) {

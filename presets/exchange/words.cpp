@@ -6,14 +6,19 @@
 #include <cmath>
 
 #include "presets/choices.h"
+#include "presets/exchange/contributions.h"
 #include "presets/exchange/steps.h"
 #include "presets/peaks.h"
 
 namespace crest {
 
 void say_no_peaks(const ExportInput& input, std::vector<std::string>& losses) {
-  if (!shows_surfaces(input.preset.rendering.mode)) return;
-  const std::vector<Peak> surfaces = shown_peaks(find_peaks(input.preset.transfer_function));
+  const ShownContributions shown = shown_contributions(input.preset);
+  if (!shown.shows_dvr)
+    losses.emplace_back(
+        "the mode is PEAK_ONLY: the target draws the whole transfer function, where only its peaks show "
+        "here");
+  const std::vector<Peak>& surfaces = shown.surfaces;
   if (surfaces.empty()) return;
   std::string values;
   for (std::size_t i = 0; i < std::min<std::size_t>(surfaces.size(), 4); ++i)

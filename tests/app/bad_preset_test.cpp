@@ -31,7 +31,7 @@ TEST_F(BadPreset, FaultsAreToldWithTheirJsonPath) {
   expect_refused(with_points(R"([{"value": NaN, "opacity": 0}])"), "invalid literal");
   expect_refused(with_points("[]"), "transfer_function.points: holds no point");
   expect_refused("{}", "transfer_function: is missing");
-  expect_refused(R"({"version": 2})", "version: 2 is not 1");
+  expect_refused(R"({"version": 2})", "version: 2 is of a newer Crest");
   expect_refused(R"({"format": "other"})", "format: \"other\"");
 }
 

@@ -10,6 +10,7 @@
 #include "presets/error.h"
 #include "presets/exchange/steps.h"
 #include "presets/exchange/table.h"
+#include "presets/peaks.h"
 #include "presets/preset_file.h"
 #include "tests/json.h"
 #include "tests/presets/random_tf.h"
@@ -219,6 +220,12 @@ TEST(Slicer, WritesWhatItsReaderLeavesAlone) {
     EXPECT_EQ(component["rgbTransferFunction"]["type"], "colorTransferFunction");
     for (const char* number : {"diffuse", "ambient", "specular", "specularPower"})
       EXPECT_TRUE(component["lighting"][number].is_number()) << "the schema wants all four";
+    for (const char* function : {"scalarOpacity", "gradientOpacity", "rgbTransferFunction"})
+      for (const auto& p : component[function]["points"]) {
+        EXPECT_EQ(p["midpoint"], 0.5) << "the schema wants both";
+        EXPECT_EQ(p["sharpness"], 0);
+      }
+    EXPECT_EQ(root["volumeProperties"][0]["isoSurfaceValues"].size(), shown_peaks(find_peaks(tf)).size());
     const auto& points = component["scalarOpacity"]["points"];
     ASSERT_EQ(points.size(), tf.points.size());
     // Slicer 5.12 moves a point up that is not 10 units in the last place of float above the one before
@@ -402,9 +409,54 @@ TEST(F3d, WritesTwoStripsAndTheCommandLine) {
   const Exported result = exported("f3d", input);
   ASSERT_EQ(result.files.size(), 3u);
   EXPECT_NE(result.files[0].content.find("--coloring-range=-1,1"), std::string::npos);
-  EXPECT_NE(result.files[0].content.find("$here/file-opacity.png"), std::string::npos);
+  EXPECT_NE(result.files[0].content.find("\"$here\"/'file-opacity.png'"), std::string::npos);
   EXPECT_EQ(result.files[1].suffix, "-colors.png");
   EXPECT_TRUE(any_says(result.losses, "1 world unit in place of 4"));
+}
+
+// Names and paths hold what they like; none of it is run.
+TEST(F3d, NamesAndPathsAreNoCode) {
+  ExportInput input = input_of(spike());
+  input.name = "x\ntouch /tmp/owned #";
+  input.stem = "$(touch stem)'";
+  input.volume = ExportVolume{.file = "/data/`touch path`}\"", .name = "v", .range = {0, 1}, .raw = {}};
+  const std::string text = text_of("f3d", input);
+  EXPECT_EQ(text.find("\ntouch"), text.npos);
+  EXPECT_NE(text.find("volume='/data/`touch path`}\"'"), text.npos) << text;
+  EXPECT_NE(text.find("'$(touch stem)'\\''-colors.png'"), text.npos) << text;
+}
+
+TEST(Table, KeepsAPlateauAndATipThatIsThereTwice) {
+  for (const double width : {1e-6, 0.0}) {
+    TransferFunction tf;
+    for (const auto& [value, opacity] :
+         {std::pair(0.0, 0.0), {0.5, 0.0}, {0.5, 0.9}, {0.5 + width, 0.9}, {0.5 + width, 0.0}, {1.0, 0.0}})
+      tf.points.push_back(point(value, opacity));
+    const TfTable1d table = make_table(tf, {0, 1}, 256);
+    EXPECT_EQ(std::ranges::count(table.rows, 0.9, [](const glm::dvec4& row) { return row.a; }), 1) << width;
+    EXPECT_EQ(table.widened, 1);
+  }
+}
+
+// As the target draws it: with contours where it has them, and the table that is written.
+TEST(Exporters, AreDrawnAsTheTargetDraws) {
+  ExportInput input = input_of(spike());
+  input.volume = ExportVolume{.file = {}, .name = "v", .range = {-10, 10}, .raw = {}};
+  for (const Mode mode : {Mode::both, Mode::peak_xor_dvr, Mode::peak_only}) {
+    input.preset.rendering.mode = mode;
+    for (const char* format : {"paraview-script", "vtk-python"}) {
+      const Preset drawn = find_exporter(format).as_drawn(input);
+      const auto surfaces = shown_peaks(find_peaks(drawn.transfer_function));
+      ASSERT_EQ(surfaces.size(), 1u) << format;
+      EXPECT_EQ(surfaces[0].value, 0.5);
+      EXPECT_EQ(surfaces[0].opacity, 0.9);
+      EXPECT_EQ(surfaces[0].color, glm::dvec3(1, 0, 0));
+      EXPECT_EQ(drawn.rendering.mode, mode == Mode::peak_only ? Mode::peak_only : Mode::both);
+    }
+  }
+  input.rows = 11;
+  EXPECT_EQ(find_exporter("csv").as_drawn(input).transfer_function.range(), (ValueRange{0, 1}));
+  EXPECT_EQ(find_exporter("1dt").as_drawn(input).transfer_function.range(), (ValueRange{-10, 10}));
 }
 
 TEST(ParaViewScript, HasWhatTheModeShows) {

@@ -272,6 +272,57 @@ TEST(OneDt, WithAndWithoutItsCount) {
   EXPECT_EQ(error_of("2\n0 0 0 0\n1 1 1 nan\n", "a.1dt"), "line 3: not numbers: 1 1 1 nan");
 }
 
+// Pairs and quads that could be either are told apart.
+TEST(ColorMapJson, PairsOverTheUnitRange) {
+  const std::string colors = R"({"RGBPoints": [0, 0, 0, 1, 1, 1, 0, 0], "Points": )";
+  const auto opacity = [&](const std::string& points, double value) {
+    return evaluate(read_tf(colors + points + "}", "a.json"), value).opacity;
+  };
+  EXPECT_EQ(opacity("[0, 0, 0.2, 0.1, 0.6, 0.4, 1, 0]", 0.6), 0.4);
+  EXPECT_EQ(opacity("[0, 0.3, 1, 0.6]", 1), 0.6);
+  EXPECT_EQ(opacity("[0, 0, 0.1, 0.1, 0.2, 0.5, 0.6, 0.4, 0.8, 0.3, 1, 0]", 0.2), 0.5);
+  EXPECT_EQ(opacity("[0, 0, 0.5, 0, 0.5, 1, 0.5, 0, 1, 0.25, 0.5, 0]", 0.5), 1) << "quads";
+  EXPECT_EQ(read_tf(R"([{"Points": [0, 0, 0.5, 0, 1, 1, 0.5, 0]}])", "a.json").points.size(), 2u)
+      << "opacities alone";
+}
+
+// What a preset may not hold is not let in.
+TEST(Importers, RefuseWhatAPresetCannotHold) {
+  const auto error = [](std::string_view content, const char* name) {
+    try {
+      import_presets(content, name);
+    } catch (const Error& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  const std::string head =
+      R"({"volumeProperties": [{"components": [{"scalarOpacity": {"points": [{"x": 0, "y": 0)";
+  EXPECT_NE(error(head + R"(}, {"x": 1, "y": 1}]}, "scalarOpacityUnitDistance": 0}]}]})", "a.vp.json")
+                .find("unit_distance"),
+            std::string::npos);
+  EXPECT_NE(error(head + R"(, "midpoint": 5, "sharpness": 1}, {"x": 1, "y": 1}]}}]}]})", "a.vp.json")
+                .find("midpoint"),
+            std::string::npos);
+  EXPECT_NE(error("value,red,green,blue,opacity,extinction\n0,0,0,0,0.5,1e-320\n1,1,1,1,1,1\n", "a.csv"), "");
+  EXPECT_NE(error("0.1,0,0,0,x\n1,1,1,1,1\n", "a.csv").find("line 1"), std::string::npos) << "no heading";
+  std::string many = R"({"Points": [)";
+  for (int i = 0; i < 40000; ++i) many += std::to_string(i) + (i % 2 ? ",0,0.4,0.9," : ",1,0.4,0.9,");
+  many += "40000,0,0.5,0]}";
+  EXPECT_NE(error(many, "a.json").find("more than 100000 points"), std::string::npos);
+}
+
+TEST(Inviwo, PointsOfOnePositionStayWhole) {
+  const auto all = read(R"(<InviwoWorkspace version="3"><type content="1" /><Points>
+    <Point><pos content="5" /><rgba x="1" y="0" z="0" w="0.9" /></Point>
+    <Point><pos content="5" /><rgba x="0" y="0" z="1" w="0.1" /></Point></Points></InviwoWorkspace>)",
+                        "a.itf");
+  const TransferFunction& tf = all[0].preset.transfer_function;
+  EXPECT_EQ(tf.points[0].color, glm::dvec3(0, 0, 1)) << "the lesser opacity first";
+  EXPECT_EQ(tf.points[1].opacity, 0.9);
+  EXPECT_NEAR(for_volume(all[0], {300, 300, 300}).unit_distance, 2, 1e-12);
+}
+
 // A colour map given as a preset is told apart from a damaged preset.
 TEST(Importers, AColourMapGivenAsAPresetSaysSo) {
   try {
@@ -320,8 +371,8 @@ TEST(Combined, TakesColoursOrOpacitiesAlone) {
   std::mt19937 random(29);
   const TransferFunction a = random_tf(random, 20);
   TransferFunction b = random_tf(random, 20);
-  const TransferFunction colors = combined(a, b, TfParts::colors),
-                         opacities = combined(a, b, TfParts::opacities);
+  const TransferFunction colors = combined(a, b, TfParts::colors, false),
+                         opacities = combined(a, b, TfParts::opacities, false);
   for (int i = 0; i <= 1000; ++i) {
     const double value = std::lerp(a.range().min - 1, a.range().max + 1, i / 1000.0);
     EXPECT_NEAR(evaluate(colors, value).opacity, evaluate(a, value).opacity, 1e-9);

@@ -15,11 +15,22 @@ timeout 200 "$program" "builtin:sphere?n=48" --preset "$work/preset.json" --log-
 wait_for 30 has_widget view0
 wait_for 60 is_idle
 
+# click_for NAME WIDGET: clicks until the widget is there: a window that just opened may miss a click.
+click_for() {
+  for _ in 1 2 3 4; do
+    click "$1"
+    for _ in $(seq 20); do
+      has_widget "$2" && return
+      sleep 0.05
+    done
+  done
+  fail "$1 does not bring $2"
+}
+
 # Out, as a table of 256 rows, beside what it will look like there
 xdotool key ctrl+e
 wait_for 10 has_widget export/1dt
-click export/1dt
-wait_for 10 has_widget "##automatic rows"
+click_for export/1dt "##automatic rows"
 click "##automatic rows"
 click "##export preview"
 wait_for 30 has_widget "export picture"
@@ -47,6 +58,18 @@ wait_for 10 title_is '\* preset.json*'
 xdotool key ctrl+s
 wait_for 10 title_is 'preset.json*'
 grep -q '"opacity": 0.75' "$work/preset.json" || fail "the opacities of the file are not in the preset"
+
+# A colour map on the points: their opacities stay
+before=$(grep -o '"opacity": [0-9.e-]*' "$work/preset.json")
+click_for menu/Preset menu/Colours
+click_for menu/Colours viridis
+click viridis
+wait_for 10 title_is '\* preset.json*'
+xdotool key Escape
+xdotool key ctrl+s
+wait_for 10 title_is 'preset.json*'
+grep -q '0.267004' "$work/preset.json" || fail "the colours of viridis are not in the preset"
+[ "$(grep -o '"opacity": [0-9.e-]*' "$work/preset.json")" = "$before" ] || fail "a colour map changed opacities"
 xdotool key ctrl+q
 wait %1 || fail "exit code $?"
 echo "PASSED"

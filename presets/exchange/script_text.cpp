@@ -1,4 +1,4 @@
-#include "presets/exchange/python_text.h"
+#include "presets/exchange/script_text.h"
 
 #include <fmt/core.h>
 
@@ -39,6 +39,12 @@ std::string python_string(const std::string& text) {
       literal += c;
   }
   return literal + "\"";
+}
+
+std::string shell_string(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
 }
 
 std::string one_line(std::string text) {
