@@ -9,7 +9,26 @@ cat >"$work/map.json" <<'J'
 [{"Name": "ramp", "RGBPoints": [-0.7, 0, 0, 1, 0.9, 1, 0, 0], "Points": [-0.7, 0, 0.5, 0, 0.9, 0.75, 0.5, 0]},
  {"Name": "other", "RGBPoints": [0, 0, 0, 0, 1, 1, 1, 1]}]
 J
-type_path() { xdotool key ctrl+a; xdotool type --delay 15 "$1"; xdotool key Return; }
+
+# type_path PATH WORDS...: into the file dialog, again and again until the command is true: on a busy machine keys get lost.
+type_path() {
+  local path=$1
+  shift
+  for _ in 1 2 3 4 5; do
+    wait_for 10 has_widget "file name"
+    sleep 0.5
+    xdotool key ctrl+a
+    sleep 0.2
+    xdotool type --delay 50 "$path"
+    sleep 0.2
+    xdotool key Return
+    for _ in $(seq 40); do
+      "$@" && return
+      sleep 0.05
+    done
+  done
+  fail "$path is not taken"
+}
 
 timeout 200 "$program" "builtin:sphere?n=48" --preset "$work/preset.json" --log-layout "$layout" &
 wait_for 30 has_widget view0
@@ -34,22 +53,17 @@ click_for export/1dt "##automatic rows"
 click "##automatic rows"
 click "##export preview"
 wait_for 30 has_widget "export picture"
-sleep 1
+wait_for 60 is_idle
+sleep 2
 import -window root "$screenshot"
 click "export to file"
-wait_for 10 has_widget "file name"
-sleep 0.5
-type_path "$work/out.1dt"
-wait_for 10 test -s "$work/out.1dt"
+type_path "$work/out.1dt" test -s "$work/out.1dt"
 [ "$(head -1 "$work/out.1dt")" = 256 ] || fail "the table has $(head -1 "$work/out.1dt") rows"
 title_is 'preset.json - *' || fail "an export changed the preset: $(value_of title)"
 
 # In: of two colour maps the first, its opacities alone
 xdotool key ctrl+shift+o
-wait_for 10 has_widget "file name"
-sleep 0.5
-type_path "$work/map.json"
-wait_for 10 has_widget import/1
+type_path "$work/map.json" has_widget import/1
 import -window root "${screenshot%.png}-import.png"
 click import/0
 click "opacities only"
