@@ -90,7 +90,7 @@ void preview(StudioState& state, const StudioInputs& inputs, StudioRequests& req
   requests.preview_export = {dialog.format, dialog.automatic_rows ? 0 : dialog.rows};
   const ExportPicture& picture = inputs.export_picture;
   if (picture.texture == 0) return;
-  const float width = std::min(scaled(964), ImGui::GetIO().DisplaySize.x * 0.9F);
+  const float width = std::min(ImGui::GetContentRegionAvail().x, scaled(964));
   ImGui::Image(ImTextureID(picture.texture), {width, width * float(picture.size.y) / float(picture.size.x)});
   note_item(state.widgets, "export picture");
   ImGui::TextDisabled("RMSE %.3g, largest difference %.3g, %.3g %% of the pixels off by more than 1/255",
@@ -123,14 +123,15 @@ void export_dialog(const Document& document, StudioState& state, const StudioInp
   dialog.asked = false;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});
+  // Not by what is in it: that would take frames which nobody asks for when the preview comes
+  ImGui::SetNextWindowSize({std::min(scaled(1000), display.x * 0.95F), scaled(dialog.preview ? 756 : 416)});
   bool open = true;
-  if (!ImGui::BeginPopupModal(title, &open,
-                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize))
+  if (!ImGui::BeginPopupModal(title, &open, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoResize))
     return;
   update_sentences(document, inputs, dialog);
   list_of_formats(state, scaled(300));
   ImGui::SameLine();
-  ImGui::BeginChild("words", {std::min(scaled(810), display.x * 0.9F - scaled(180)), scaled(300)}, true);
+  ImGui::BeginChild("words", {0, scaled(300)}, true);
   const Exporter& exporter = exporters()[std::size_t(dialog.format)];
   ImGui::TextUnformatted(fmt::format("{}: {}", exporter.extension, exporter.summary).c_str());
   ImGui::Spacing();
