@@ -36,9 +36,9 @@ wait_for 60 is_idle
 
 # click_for NAME WIDGET: clicks until the widget is there: a window that just opened may miss a click.
 click_for() {
-  for _ in 1 2 3 4; do
+  for _ in 1 2 3; do
     click "$1"
-    for _ in $(seq 20); do
+    for _ in $(seq 120); do
       has_widget "$2" && return
       sleep 0.05
     done
@@ -50,9 +50,8 @@ click_for() {
 xdotool key ctrl+e
 wait_for 10 has_widget export/1dt
 click_for export/1dt "##automatic rows"
-click "##automatic rows"
-click "##export preview"
-wait_for 30 has_widget "export picture"
+click_for "##automatic rows" "##rows"
+click_for "##export preview" "export picture"
 wait_for 60 is_idle
 sleep 2
 import -window root "$screenshot"
