@@ -33,8 +33,8 @@ Preset parse_preset(std::string_view text, std::string_view source) {
     const Json json = parse_json(text);
     const bool is_preset = json.is_object() && json.contains("transfer_function");
     if (const Importer* importer = is_preset ? nullptr : find_importer(text, "preset.json"))
-      throw Error(
-          fmt::format("not a preset, but of {}: crest import {} -o PRESET", importer->summary, source));
+      throw Error(fmt::format("no preset of Crest's, but one of {}: crest import {} -o PRESET",
+                              importer->summary, source));
     Preset preset = preset_from_json(json);
     if (const std::string why_not = why_inconsistent(preset.rendering); !why_not.empty())
       throw Error(why_not);
