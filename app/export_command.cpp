@@ -4,7 +4,7 @@
 
 #include "app/cache_folder.h"
 #include "app/commands.h"
-#include "app/export_picture.h"
+#include "app/export_files.h"
 #include "app/export_preview.h"
 #include "app/offscreen_context.h"
 #include "app/scene_options.h"
@@ -15,6 +15,7 @@
 #include "presets/json_text.h"
 #include "presets/preset_file.h"
 #include "render/files/load.h"
+#include "render/scene/export_input.h"
 
 namespace crest {
 namespace {
@@ -62,7 +63,10 @@ ExportPreview draw_preview(const ExportCommandOptions& options, const Exporter& 
                            const ExportInput& input, const std::shared_ptr<const Volume>& volume) {
   const OffscreenContext context(-1);
   Renderer renderer({}, program_folder());
-  ExportPreview preview = preview_export(renderer, exporter, input, volume, *input.preset.camera, input.size);
+  const auto draw = [&](const Preset& p) {
+    return draw_preset(renderer, p, volume, *input.preset.camera, input.size);
+  };
+  ExportPreview preview = compare_export(draw(input.preset), draw(exporter.as_drawn(input)));
   const glm::vec3 background(input.preset.rendering.background);
   write_image(options.preview, picture_of(preview, exporter.name, background), background);
   return preview;
@@ -75,12 +79,13 @@ void export_preset(const ExportCommandOptions& options) {
   if (!options.preview.empty() && options.volume.empty()) throw UsageError("--preview", "needs a --volume");
   std::shared_ptr<const Volume> volume;
   if (!options.volume.empty()) volume = std::make_shared<const Volume>(load_volume(options.volume));
-  const ExportInput input = export_input(preset, volume.get(), rows_of(options.samples), options.output,
-                                         exporter.extension, pixels_of(options.size));
+  const ExportInput input =
+      export_input(preset, volume.get(), rows_of(options.samples),
+                   stem_of(options.output, exporter.extension), pixels_of(options.size));
   const Exported exported = exporter.write(input);
   std::optional<ExportPreview> preview;
   if (!options.preview.empty()) preview = draw_preview(options, exporter, input, volume);
-  write_export(exported, input, options.output);
+  write_export(exported, input.stem, options.output);
   if (options.json)
     fmt::print("{}\n", pretty(to_json(options, input, exported, preview)));
   else

@@ -12,13 +12,6 @@
 namespace crest {
 namespace {
 
-Image draw(Renderer& renderer, std::shared_ptr<const Volume> volume, const Preset& preset,
-           const Camera& camera, glm::ivec2 size) {
-  gl::RenderTarget target(size, false);
-  renderer.draw(make_scene(std::move(volume), preset), camera, target);
-  return target.read_color();
-}
-
 void measure(ExportPreview& preview) {
   const std::vector<float> differences = pixel_differences(preview.here, preview.there);
   double squares = 0;
@@ -39,11 +32,15 @@ void measure(ExportPreview& preview) {
 
 }  // namespace
 
-ExportPreview preview_export(Renderer& renderer, const Exporter& exporter, const ExportInput& input,
-                             std::shared_ptr<const Volume> volume, const Camera& camera, glm::ivec2 size) {
-  ExportPreview preview;
-  preview.here = draw(renderer, volume, input.preset, camera, size);
-  preview.there = draw(renderer, volume, exporter.as_drawn(input), camera, size);
+Image draw_preset(Renderer& renderer, const Preset& preset, const std::shared_ptr<const Volume>& volume,
+                  const Camera& camera, glm::ivec2 size) {
+  gl::RenderTarget target(size, false);
+  renderer.draw(make_scene(volume, preset), camera, target);
+  return target.read_color();
+}
+
+ExportPreview compare_export(Image here, Image there) {
+  ExportPreview preview{.here = std::move(here), .there = std::move(there)};
   measure(preview);
   return preview;
 }

@@ -16,9 +16,11 @@ struct ExportPreview {
   double share = 0;  ///< of those pixels, those off by more than 1/255
 };
 
-/// Draws both as the camera sees them. `input` is ready for export.
-ExportPreview preview_export(Renderer& renderer, const Exporter& exporter, const ExportInput& input,
-                             std::shared_ptr<const Volume> volume, const Camera& camera, glm::ivec2 size);
+/// A preset in a volume's units, at once.
+Image draw_preset(Renderer& renderer, const Preset& preset, const std::shared_ptr<const Volume>& volume,
+                  const Camera& camera, glm::ivec2 size);
+
+ExportPreview compare_export(Image here, Image there);
 
 /// Both and their difference side by side, labelled. The difference is brightened until it is plain to see,
 /// by a power of two that stands on it.

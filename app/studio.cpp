@@ -3,11 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <utility>
 
 #include "app/cache_folder.h"
+#include "app/export_files.h"
 #include "app/scene_options.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
@@ -16,6 +16,7 @@
 #include "render/files/file_request.h"
 #include "render/files/load.h"
 #include "render/scene/camera.h"
+#include "render/scene/export_input.h"
 
 namespace crest {
 namespace {
@@ -24,8 +25,7 @@ namespace {
 constexpr std::chrono::milliseconds quiet{300};
 
 bool is_preset_file(const std::string& source) {
-  constexpr std::array<std::string_view, 6> extensions{".json", ".vp", ".xml", ".itf", ".1dt", ".csv"};
-  return std::ranges::find(extensions, extension_of(source)) != extensions.end();
+  return std::ranges::find(preset_extensions(), extension_of(source)) != preset_extensions().end();
 }
 
 /// What is in a file of another program; nothing where it is none.
@@ -175,9 +175,9 @@ void Studio::export_to(const StudioRequests::Export& request) {
   try {
     const Exporter& exporter = exporters()[std::size_t(request.what.format)];
     const ExportInput input = export_input(document_.preset, loaded_.volume.get(), request.what.rows,
-                                           request.path, exporter.extension);
+                                           stem_of(request.path, exporter.extension));
     const Exported exported = exporter.write(input);
-    write_export(exported, input, request.path);
+    write_export(exported, input.stem, request.path);
     std::string more;
     for (std::size_t i = 1; i < exported.files.size(); ++i)
       more += fmt::format("{}{}", i == 1 ? " and *" : ", *", exported.files[i].suffix);

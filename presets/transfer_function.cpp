@@ -23,6 +23,10 @@ Classified between(const ControlPoint& a, const ControlPoint& b, double value) {
 
 }  // namespace
 
+ValueRange with_width(ValueRange range) {
+  return range.width() > 0 ? range : ValueRange{range.min, range.min + 1};
+}
+
 ValueRange TransferFunction::range() const {
   return points.empty() ? ValueRange{} : ValueRange{points.front().value, points.back().value};
 }
@@ -62,9 +66,8 @@ TransferFunction resolve(const TransferFunction& tf, ValueRange volume_range, do
 }
 
 TransferFunction remap_values(const TransferFunction& tf, ValueRange from, ValueRange to) {
-  const auto widened = [](ValueRange r) { return r.width() > 0 ? r : ValueRange{r.min, r.min + 1}; };
-  from = widened(from);
-  to = widened(to);
+  from = with_width(from);
+  to = with_width(to);
   TransferFunction mapped = tf;
   // lerp is monotonic and exact at both ends: equal values stay equal, and none change places.
   for (ControlPoint& point : mapped.points)

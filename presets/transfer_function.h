@@ -15,6 +15,9 @@ struct ValueRange {
   bool operator==(const ValueRange&) const = default;
 };
 
+/// The range, or where it has no width, one of width 1.
+ValueRange with_width(ValueRange range);
+
 /// Whether a control point is shown as a surface: as the peak rule says, always, or never.
 enum class SurfaceMode { automatic, on, off };
 

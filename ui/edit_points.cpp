@@ -50,10 +50,6 @@ std::vector<ValueRange> rooms_of(const std::vector<ControlPoint>& points, const 
   return rooms;
 }
 
-ValueRange with_width(ValueRange range) {
-  return range.max > range.min ? range : ValueRange{range.min, range.min + 1};
-}
-
 }  // namespace
 
 std::size_t insert_point(TransferFunction& tf, double value, double opacity) {

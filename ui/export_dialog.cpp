@@ -3,10 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "presets/error.h"
 #include "presets/exchange/table.h"
-#include "render/volume/export_volume.h"
+#include "render/scene/export_input.h"
 #include "ui/questions.h"
 #include "ui/style.h"
 
@@ -15,30 +16,29 @@ namespace {
 
 constexpr const char* title = "Export the preset";
 
-ExportInput input_of(const Document& document, const StudioInputs& inputs, const ExportDialog& dialog) {
-  ExportInput input;
-  if (inputs.volume) input.volume = export_volume(*inputs.volume);
-  input.preset = ready_for_export(document.preset, input.volume);
-  input.name = document.preset.name.empty() ? document.preset_path.stem().string() : document.preset.name;
-  if (input.name.empty()) input.name = "preset";
-  input.stem = document.preset_path.stem().empty() ? "preset" : document.preset_path.stem().string();
-  input.rows = dialog.automatic_rows ? 0 : dialog.rows;
-  return input;
+int rows_of(const ExportDialog& dialog) { return dialog.automatic_rows ? 0 : dialog.rows; }
+
+std::string stem_of(const Document& document) {
+  const std::string stem = document.preset_path.stem().string();
+  return stem.empty() ? "preset" : stem;
 }
 
 /// What is lost and what to do, once for each preset, format and size.
 void update_sentences(const Document& document, const StudioInputs& inputs, ExportDialog& dialog) {
-  const ExportDialog::Shown wanted{dialog.format,        dialog.automatic_rows ? 0 : dialog.rows,
-                                   inputs.volume,        document.volume_source,
-                                   document.preset_path, document.preset};
-  if (dialog.shown == wanted) return;
-  dialog.shown = wanted;
+  const int rows = rows_of(dialog);
+  const ExportDialog::Shown& s = dialog.shown;
+  if (std::tie(s.format, s.rows, s.volume, s.volume_source, s.preset_path, s.preset) ==
+      std::tie(dialog.format, rows, inputs.volume, document.volume_source, document.preset_path,
+               document.preset))
+    return;
+  dialog.shown = {dialog.format,        rows,           inputs.volume, document.volume_source,
+                  document.preset_path, document.preset};
   dialog.losses.clear();
   dialog.advice.clear();
   dialog.error.clear();
   try {
-    const Exported exported =
-        exporters()[std::size_t(dialog.format)].write(input_of(document, inputs, dialog));
+    const Exported exported = exporters()[std::size_t(dialog.format)].write(
+        export_input(document.preset, inputs.volume, rows, stem_of(document)));
     dialog.losses = exported.losses;
     dialog.advice = exported.advice;
   } catch (const Error& error) {
@@ -87,7 +87,7 @@ void preview(StudioState& state, const StudioInputs& inputs, StudioRequests& req
   ImGui::SameLine();
   ImGui::TextUnformatted("the view as the target will draw it");
   if (!dialog.preview || !inputs.volume || !dialog.error.empty()) return;
-  requests.preview_export = {dialog.format, dialog.automatic_rows ? 0 : dialog.rows};
+  requests.preview_export = {dialog.format, rows_of(dialog)};
   const ExportPicture& picture = inputs.export_picture;
   if (picture.texture == 0) return;
   const float width = std::min(ImGui::GetContentRegionAvail().x, scaled(964));
@@ -97,14 +97,14 @@ void preview(StudioState& state, const StudioInputs& inputs, StudioRequests& req
                       picture.rmse, picture.max, 100 * picture.share);
 }
 
-void buttons(const Document& document, StudioState& state, const StudioInputs& inputs) {
+void buttons(const Document& document, StudioState& state) {
   ExportDialog& dialog = state.export_dialog;
   const Exporter& exporter = exporters()[std::size_t(dialog.format)];
   const bool can_write = dialog.error.empty();
   if (ImGui::Button("Choose the file...", {scaled(150), 0}) && can_write) {
-    dialog.to_write = {dialog.format, dialog.automatic_rows ? 0 : dialog.rows};
+    dialog.to_write = {dialog.format, rows_of(dialog)};
     ask_for_file(state, document, FilePurpose::export_preset);
-    state.file_dialog.name = input_of(document, inputs, dialog).stem + std::string(exporter.extension);
+    state.file_dialog.name = stem_of(document) + std::string(exporter.extension);
     state.file_dialog.extension = exporter.extension;
     ImGui::CloseCurrentPopup();
   }
@@ -142,7 +142,7 @@ void export_dialog(const Document& document, StudioState& state, const StudioInp
   sentences("There", dialog.advice, palette::dim);
   ImGui::EndChild();
   preview(state, inputs, requests);
-  buttons(document, state, inputs);
+  buttons(document, state);
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::GetIO().WantTextInput)
     ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

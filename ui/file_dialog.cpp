@@ -20,11 +20,12 @@ constexpr std::size_t most_entries = 20000;
 struct Wording {
   const char* title;
   const char* button;
-  std::initializer_list<std::string_view> extensions;  ///< none: all files
+  std::span<const std::string_view> extensions;  ///< none: all files
 };
+constexpr std::string_view own_extension[] = {".json"};
 const Wording wordings[] = {{"Open a volume", "Open", {}},
-                            {"Open a preset", "Open", {".json", ".vp", ".xml", ".itf", ".1dt", ".csv"}},
-                            {"Save the preset", "Save", {".json"}},
+                            {"Open a preset", "Open", preset_extensions()},
+                            {"Save the preset", "Save", own_extension},
                             {"Export to a file", "Export", {}}};
 
 const Wording& wording(FilePurpose purpose) { return wordings[int(purpose)]; }

@@ -52,7 +52,6 @@ struct ExportDialog {
     std::string volume_source;
     std::filesystem::path preset_path;
     Preset preset;
-    bool operator==(const Shown&) const = default;
   };
   Shown shown;
   std::vector<std::string> losses, advice;

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "presets/exchange/formats.h"
@@ -14,24 +13,17 @@
 namespace crest {
 namespace {
 
-constexpr double reference_samples = 150;
+glm::dvec3 size_of(const ExportVolume& volume) { return glm::dvec3(volume.dims) * volume.spacing; }
 
-/// World units that Inviwo's opacities are for. Its rays have a length in shares of the box: in one that is
-/// not a cube a share is another length along each axis, and their mean is taken.
-double inviwo_unit_distance(const ExportVolume& volume) {
-  const glm::dvec3 size = glm::dvec3(volume.dims) * volume.spacing;
-  return std::cbrt(size.x * size.y * size.z) / reference_samples;
+bool is_cube(const glm::dvec3& size) {
+  return std::max({size.x, size.y, size.z}) < 1.01 * std::min({size.x, size.y, size.z});
 }
 
-bool is_cube(const ExportVolume& volume) {
-  const glm::dvec3 size = glm::dvec3(volume.dims) * volume.spacing;
-  const double longest = std::max({size.x, size.y, size.z}), shortest = std::min({size.x, size.y, size.z});
-  return longest < 1.01 * shortest;
-}
-
+/// Inviwo's rays have a length in shares of the box: in one that is not a cube a share is another length
+/// along each axis, and that of the mean side is taken.
 TransferFunction in_inviwo_units(const ExportInput& input) {
   TransferFunction tf = input.preset.transfer_function;
-  if (input.volume) tf = with_unit_distance(tf, inviwo_unit_distance(*input.volume));
+  if (input.volume) tf = with_unit_distance(tf, inviwo_share * mean_side(size_of(*input.volume)));
   return tf;
 }
 
@@ -64,7 +56,7 @@ Exported write_inviwo(const ExportInput& input) {
         "Inviwo's opacity is that of 1/150 of the volume's side, which is not known without a volume: "
         "opacities are written as they are, for {} world units",
         number(tf.unit_distance)));
-  else if (!is_cube(*input.volume))
+  else if (!is_cube(size_of(*input.volume)))
     result.losses.emplace_back(
         "the volume is not a cube: Inviwo's opacity then depends on the direction of view, and that of "
         "its mean side is written");

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "presets/exchange/flat_points.h"
 #include "presets/exchange/formats.h"
 #include "presets/exchange/steps.h"
 #include "presets/exchange/vtk_model.h"
@@ -26,19 +27,13 @@ std::uint32_t hash_of(const Json& map) {
 Exported write_paraview(const ExportInput& input) {
   const TransferFunction& tf = input.preset.transfer_function;
   const std::vector<double> values = separated_values(tf, drawn_apart);
-  Json colors = Json::array(), opacities = Json::array();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const ControlPoint& point = tf.points[i];
-    for (const double n : {values[i], point.color.r, point.color.g, point.color.b}) colors.push_back(n);
-    constexpr double midpoint = 0.5, sharpness = 0;  // straight lines
-    for (const double n : {values[i], point.opacity, midpoint, sharpness}) opacities.push_back(n);
-  }
+  const std::vector<double> straight{0.5, 0};  // midpoint, sharpness
   Json map = {{"Creator", "Crest"},
               {"ColorSpace", "RGB"},
               {"Discretize", 0},  // else colours come from 256 entries
               {"NanColor", {0.0, 0.0, 0.0}},
-              {"RGBPoints", std::move(colors)},
-              {"Points", std::move(opacities)}};
+              {"RGBPoints", flat_colors(tf, values)},
+              {"Points", flat_opacities(tf, values, straight)}};
   const std::string name = fmt::format("{} {:06x}", input.name, hash_of(map) & 0xffffffu);
   map["Name"] = name;
   Exported result;

@@ -2,6 +2,7 @@
 // colours (Kitware/VolView: src/vtk/MedicalColorPresets.json).
 #include <fmt/core.h>
 
+#include "presets/exchange/flat_points.h"
 #include "presets/exchange/formats.h"
 #include "presets/exchange/steps.h"
 #include "presets/exchange/vtk_model.h"
@@ -14,17 +15,11 @@ namespace crest {
 Exported write_vtkjs(const ExportInput& input) {
   const TransferFunction& tf = input.preset.transfer_function;
   const std::vector<double> values = separated_values(tf, drawn_apart);
-  Json colors = Json::array(), opacities = Json::array();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const ControlPoint& p = tf.points[i];
-    for (const double n : {values[i], p.color.r, p.color.g, p.color.b}) colors.push_back(n);
-    for (const double n : {values[i], p.opacity}) opacities.push_back(n);
-  }
   const Json map = {{"Name", input.name},
                     {"Creator", "Crest"},
                     {"ColorSpace", "RGB"},
-                    {"RGBPoints", std::move(colors)},
-                    {"OpacityPoints", std::move(opacities)}};
+                    {"RGBPoints", flat_colors(tf, values)},
+                    {"OpacityPoints", flat_opacities(tf, values, {})}};
   Exported result;
   result.files.push_back({"", map.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"});
   say_moved(tf, values, result.losses);

@@ -2,12 +2,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <pugixml.hpp>
 
 #include "presets/error.h"
 #include "presets/exchange/curves.h"
 #include "presets/exchange/import_formats.h"
 #include "presets/exchange/numbers_text.h"
+#include "presets/exchange/xml_text.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
 
@@ -154,9 +154,7 @@ bool is_slicer_presets(std::string_view content, std::string_view extension) {
 }
 
 std::vector<Imported> read_slicer_presets(std::string_view content) {
-  pugi::xml_document document;
-  if (const auto parsed = document.load_buffer(content.data(), content.size()); !parsed)
-    throw Error(fmt::format("not XML: {} (at byte {})", parsed.description(), parsed.offset));
+  const pugi::xml_document document = parse_xml(content);
   std::vector<Imported> all;
   for (const auto& found : document.select_nodes("//VolumeProperty")) {
     const pugi::xml_node node = found.node();

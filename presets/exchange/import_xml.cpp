@@ -2,22 +2,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <pugixml.hpp>
 
 #include "presets/error.h"
 #include "presets/exchange/curves.h"
 #include "presets/exchange/import_formats.h"
 #include "presets/exchange/numbers_text.h"
+#include "presets/exchange/words.h"
+#include "presets/exchange/xml_text.h"
 
 namespace crest {
 namespace {
-
-pugi::xml_document parsed(std::string_view content) {
-  pugi::xml_document document;
-  if (const auto result = document.load_buffer(content.data(), content.size()); !result)
-    throw Error(fmt::format("not XML: {} (at byte {})", result.description(), result.offset));
-  return document;
-}
 
 /// An attribute as a number.
 double number(const pugi::xml_node& node, const char* name) {
@@ -78,7 +72,7 @@ bool is_paraview_xml(std::string_view content, std::string_view extension) {
 }
 
 std::vector<Imported> read_paraview_xml(std::string_view content) {
-  const pugi::xml_document document = parsed(content);
+  const pugi::xml_document document = parse_xml(content);
   std::vector<Imported> all;
   for (const auto& found : document.select_nodes("//ColorMap")) all.push_back(read_color_map(found.node()));
   if (all.empty()) throw Error("no <ColorMap> is in the file");
@@ -90,7 +84,7 @@ bool is_inviwo(std::string_view content, std::string_view extension) {
 }
 
 std::vector<Imported> read_inviwo(std::string_view content) {
-  const pugi::xml_document document = parsed(content);
+  const pugi::xml_document document = parse_xml(content);
   const pugi::xml_node root = document.child("InviwoWorkspace");
   if (!root) throw Error("not a transfer function of Inviwo's: <InviwoWorkspace> is missing");
   Imported result;
@@ -121,7 +115,7 @@ std::vector<Imported> read_inviwo(std::string_view content) {
   const double mask_min = root.child("maskMin").attribute("content").as_double(0),
                mask_max = root.child("maskMax").attribute("content").as_double(1);
   if (mask_min > 0 || mask_max < 1) result.notes.emplace_back("the mask is not kept");
-  result.share_of_side = 1.0 / 150;
+  result.share_of_side = inviwo_share;
   result.notes.emplace_back(
       "opacities are those of 1/150 of the volume's side: one world unit is taken where no volume is known");
   return {std::move(result)};

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 #include "presets/atomic_file.h"
 #include "presets/error.h"
 #include "presets/exchange/curves.h"
 #include "presets/exchange/import_formats.h"
+#include "presets/exchange/words.h"
 #include "presets/json.h"
 #include "presets/preset_json.h"
 
@@ -48,6 +48,11 @@ std::span<const Importer> importers() {
   return list;
 }
 
+std::span<const std::string_view> preset_extensions() {
+  static constexpr std::string_view list[] = {".json", ".vp", ".xml", ".itf", ".1dt", ".csv"};
+  return list;
+}
+
 const Importer* find_importer(std::string_view content, const std::filesystem::path& name) {
   const std::string extension = lower_extension(name);
   const auto found =
@@ -78,8 +83,7 @@ std::vector<Imported> import_presets(std::string_view content, const std::filesy
 
 TransferFunction for_volume(const Imported& imported, const glm::dvec3& size) {
   TransferFunction tf = imported.preset.transfer_function;
-  if (imported.share_of_side > 0)
-    tf.unit_distance = imported.share_of_side * std::cbrt(size.x * size.y * size.z);
+  if (imported.share_of_side > 0) tf.unit_distance = imported.share_of_side * mean_side(size);
   return tf;
 }
 

@@ -34,6 +34,10 @@ struct Importer {
 
 std::span<const Importer> importers();
 
+/// How the names of presets end that are opened: Crest's own and those of other programs, in lower case with
+/// the dot.
+std::span<const std::string_view> preset_extensions();
+
 /// The format of a file; null where it is none of them, as a preset of Crest's own is not.
 const Importer* find_importer(std::string_view content, const std::filesystem::path& name);
 

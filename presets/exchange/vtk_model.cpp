@@ -21,11 +21,6 @@ int vtk_entries(const std::vector<double>& values, ValueRange range) {
 
 }  // namespace
 
-ValueRange with_width(ValueRange range) {
-  if (!(range.width() > 0)) range.max = range.min + 1;
-  return range;
-}
-
 ValueRange range_there(const ExportInput& input) {
   return with_width(input.volume ? input.volume->range : input.preset.transfer_function.range());
 }

@@ -7,8 +7,6 @@
 
 namespace crest {
 
-/// The range with a width: one of none counts as 1.
-ValueRange with_width(ValueRange range);
 /// The range that the target's tables span: the volume's, or without one that of the points; with a width.
 ValueRange range_there(const ExportInput& input);
 

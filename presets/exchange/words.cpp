@@ -67,6 +67,8 @@ void say_dark_where_flat(const ExportInput& input, std::vector<std::string>& los
 std::string number(double value) { return fmt::format("{}", value); }
 std::string short_number(double value) { return fmt::format("{:.6g}", value); }
 
+double mean_side(const glm::dvec3& size) { return std::cbrt(size.x * size.y * size.z); }
+
 double opacity_over(double opacity, double from, double to) {
   if (opacity >= 1 || from == to) return opacity;
   return -std::expm1(std::log1p(-opacity) * (to / from));

@@ -28,6 +28,11 @@ std::string number(double value);
 /// For sentences: six digits.
 std::string short_number(double value);
 
+/// Of the side of a box; that of one that is no cube is the mean (geometric) of its three.
+double mean_side(const glm::dvec3& size);
+/// Inviwo's opacities are those of this share of the volume's side.
+inline constexpr double inviwo_share = 1.0 / 150;
+
 /// Opacity for another unit distance: a' = 1 - (1 - a)^(to / from).
 double opacity_over(double opacity, double from, double to);
 /// The TF with its opacities for another unit distance.

@@ -11,6 +11,7 @@
 #include "presets/exchange/table.h"
 #include "presets/exchange/words.h"
 #include "presets/preset_file.h"
+#include "tests/presets/export_inputs.h"
 #include "tests/presets/random_tf.h"
 
 namespace crest {
@@ -32,10 +33,6 @@ std::string error_of(std::string_view content, const char* name) {
   }
   return "";
 }
-bool any_says(const std::vector<std::string>& sentences, std::string_view words) {
-  return std::ranges::any_of(sentences, [&](const std::string& s) { return s.find(words) != s.npos; });
-}
-
 #ifdef __SANITIZE_ADDRESS__
 constexpr int round_trips = 100;
 #else
