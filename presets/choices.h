@@ -58,11 +58,6 @@ constexpr bool is_split(PeakForm form) {
   return false;
 }
 
-/// Whether the base TF stands for the samples: the TF without the spikes that are shown as surfaces.
-constexpr bool takes_base_tf(const Rendering& rendering) {
-  return is_exclusive(rendering.mode) && is_split(rendering.peak_form);
-}
-
 /// Whether an engine knows this mode.
 constexpr bool renders(Engine engine, Mode mode) {
   switch (engine) {
@@ -82,9 +77,46 @@ constexpr bool is_preintegrated(ClassificationMethod method) {
     case ClassificationMethod::preintegrated_table:
       return true;
     case ClassificationMethod::post:
+    case ClassificationMethod::analytic:
       break;
   }
   return false;
+}
+
+/// Whether rays are solved from cell to cell, without steps.
+constexpr bool is_analytic(ClassificationMethod method) {
+  switch (method) {
+    case ClassificationMethod::analytic:
+      return true;
+    case ClassificationMethod::post:
+    case ClassificationMethod::preintegrated:
+    case ClassificationMethod::preintegrated_table:
+      break;
+  }
+  return false;
+}
+
+/// Whether the field between the grid's points is trilinear: a cubic along a ray, in each cell.
+constexpr bool is_trilinear(Filter filter) {
+  switch (filter) {
+    case Filter::linear:
+    case Filter::linear_exact:
+      return true;
+    case Filter::bspline:
+    case Filter::bc:
+      break;
+  }
+  return false;
+}
+
+/// Whether a ray is divided at its crossings, whichever way it is solved.
+constexpr bool is_divided(const Rendering& rendering) {
+  return is_split(rendering.peak_form) || is_analytic(rendering.classification);
+}
+
+/// Whether the base TF stands for the samples: the TF without the spikes that are shown as surfaces.
+constexpr bool takes_base_tf(const Rendering& rendering) {
+  return is_exclusive(rendering.mode) && is_divided(rendering);
 }
 
 /// Whether all steps must have the length that its table was made for.
@@ -94,6 +126,7 @@ constexpr bool holds_one_length(ClassificationMethod method) {
       return true;
     case ClassificationMethod::post:
     case ClassificationMethod::preintegrated:
+    case ClassificationMethod::analytic:
       break;
   }
   return false;

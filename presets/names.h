@@ -48,7 +48,8 @@ struct EnumNames<ClassificationMethod> {
   static constexpr Named<ClassificationMethod> table[] = {
       {ClassificationMethod::post, "post"},
       {ClassificationMethod::preintegrated, "preintegrated"},
-      {ClassificationMethod::preintegrated_table, "preintegrated_table"}};
+      {ClassificationMethod::preintegrated_table, "preintegrated_table"},
+      {ClassificationMethod::analytic, "analytic"}};
 };
 template <>
 struct EnumNames<Sampling> {

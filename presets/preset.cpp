@@ -8,6 +8,15 @@
 namespace crest {
 
 std::string why_inconsistent(const Rendering& rendering) {
+  if (is_analytic(rendering.classification))
+    for (const auto& [field, filter] :
+         {std::pair("filter", rendering.filter),
+          std::pair("root_filter", rendering.root_filter.value_or(rendering.filter))})
+      if (!is_trilinear(filter))
+        return fmt::format(
+            "rendering.{}: classification analytic solves trilinear fields, of the filters linear and "
+            "linear_exact; {} is sampled, by classification preintegrated or post",
+            field, name_of(filter));
   if (!holds_one_length(rendering.classification)) return "";
   const auto complaint = [](std::string_view field, std::string_view wanted, std::string_view is) {
     return fmt::format(

@@ -20,7 +20,8 @@ enum class Engine { raycaster, vdls, reference };
 enum class Placement { eye, entry, entry_exit, entry_exit_corner };
 /// How a step's colour and opacity follow from the field: the TF at a sample; the TF's antiderivatives
 /// between the values at the step's ends; or Engel's table of both values, which holds one step length only.
-enum class ClassificationMethod { post, preintegrated, preintegrated_table };
+/// Or there are no steps: the ray is solved from cell to cell, exactly.
+enum class ClassificationMethod { post, preintegrated, preintegrated_table, analytic };
 /// Step lengths along a ray: all the same; growing with the distance to the eye as published (Knoll et al.,
 /// section 5); or in proportion to what a pixel covers.
 enum class Sampling { uniform, differential, footprint };

@@ -72,6 +72,15 @@ bool clip_rows(WidgetState& widgets, std::optional<ClipBox>& clip, const Volume*
 /// Settings that do not go together give way to the one that was just chosen. Whether they did.
 bool reconcile(Rendering& r, bool classification_was_chosen) {
   if (why_inconsistent(r).empty()) return false;
+  if (is_analytic(r.classification)) {
+    if (classification_was_chosen) {
+      r.filter = Filter::linear;
+      r.root_filter.reset();
+    } else {
+      r.classification = ClassificationMethod::post;
+    }
+    return true;
+  }
   if (classification_was_chosen) {
     r.placement = Placement::entry;
     r.sampling = Sampling::uniform;

@@ -8,6 +8,7 @@
 #include "render/resources/macrocell_texture.h"
 #include "render/resources/preintegration_textures.h"
 #include "render/resources/table_textures.h"
+#include "render/resources/tf_pieces_buffer.h"
 #include "render/resources/volume_texture.h"
 #include "render/shader_inputs/blend_mode.h"
 
@@ -109,6 +110,20 @@ void bind_peaks(const Binding& b) {
   set(b.program, "bin_min_scale", glm::vec2(table.range.min, table.bin_scale));
 }
 
+/// What is only forced in does not show.
+void bind_tf_pieces(const Binding& b) {
+  TransferFunction tf;
+  std::vector<Peak> surfaces;
+  if (b.need.needed.dvr)
+    tf = b.units.stored(b.need.features.base_tf ? b.classification.base : b.classification.tf);
+  if (b.need.needed.peaks) surfaces = b.units.stored(b.classification.surfaces);
+  const TfPieces& pieces = tf_pieces(b.held, tf, surfaces, b.spacing);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, pieces.buffer.id());
+  set(b.program, "tf_piece_count", pieces.count);
+  set(b.program, "extinction_scale", pieces.extinction_scale);
+  if (b.need.features.peaks) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, peak_buffer(b.held, surfaces));
+}
+
 }  // namespace
 
 void bind_scene(KeyedCache& held, const Scene& scene, const Classification& classification, const Need& need,
@@ -128,9 +143,10 @@ void bind_scene(KeyedCache& held, const Scene& scene, const Classification& clas
                  empty_cells_texture(held, scene.volume, support_radius(scene.rendering)));
   if (uses_filter(features, Filter::bc)) set_bc_weights(program, scene.rendering);
   if (features.skipping || features.adaptive) bind_macrocells(b);
-  if (features.dvr) bind_tf(b);
+  if (features.analytic) bind_tf_pieces(b);
+  if (features.dvr && !features.analytic) bind_tf(b);
   if (features.blend_mode != BlendMode::semi_transparent) bind_blend_mode(program, scene, b.units);
-  if (features.peaks) bind_peaks(b);
+  if (features.peaks && !features.analytic) bind_peaks(b);
   // What is forced in does not show
   set(program, "max_peaks", scene.rendering.max_peaks);
   set(program, "least_residual",

@@ -10,8 +10,11 @@
 #include "render/classify/antiderivatives.h"
 #include "render/classify/peak_table.h"
 #include "render/raycaster/scene_facts.h"
+#include "render/reference/levels.h"
+#include "render/resources/tf_pieces_buffer.h"
 #include "render/scene/view.h"
 #include "render/shader_inputs/blend_mode.h"
+#include "render/volume/largest_change.h"
 #include "render/volume/macrocells.h"
 
 namespace crest {
@@ -21,10 +24,27 @@ namespace {
 constexpr int most_loop_rounds = 60000;
 
 int intervals_of(const SceneFacts& s, const Features& features) {
+  if (features.analytic) return int(std::ceil(s.longest_ray)) + 1;
   return int(std::min(s.steps.most + 2.0 * s.spans(features), 2e9));
 }
 
+/// In one smallest spacing a ray is in three cells at most, in each of which it turns at most twice and meets
+/// the levels within reach of the field; a root takes some rounds more.
+int rounds_in_a_spacing(const SceneFacts& s) {
+  const double diagonal = glm::length(s.grid.spacing);
+  const double reach = largest_change(s.grid, s.statistics, root_filter(s.rendering), diagonal);
+  int most_levels = int(s.surfaces().size());
+  const auto& points = s.classification.tf.points;
+  for (std::size_t first = 0, past = 0; first < points.size(); ++first) {
+    while (past < points.size() && points[past].value <= points[first].value + reach) ++past;
+    most_levels = std::max(most_levels, int(past - first));
+  }
+  return 3 * (4 + 4 * most_levels);
+}
+
 int intervals_per_pass(const SceneFacts& s, const Features& features) {
+  if (features.analytic)
+    return std::max(1, (most_loop_rounds - s.walk_rounds(features)) / rounds_in_a_spacing(s));
   const int candidates = features.peak_table      ? std::max(int(s.surfaces().size()), 1)
                          : features.several_peaks ? most_listed_peaks
                                                   : 1;
@@ -47,6 +67,10 @@ class Decision {
     need_.needed.*feature = why_not.empty();
     need_.features.*feature = why_not.empty() || (harmless && forced_.features.*feature);
     reasons_.emplace_back(feature, std::move(why_not));
+  }
+  /// Of what a march with samples needs: not where there are none.
+  std::string where_sampled(std::string why_not) const {
+    return need_.features.analytic ? "rays are solved from cell to cell" : std::move(why_not);
   }
   void decide_peaks();
   void decide_forms();
@@ -73,20 +97,25 @@ void Decision::decide_peaks() {
   const std::string single = count == 1 ? "there is one surface" : "";
   const std::string few = fmt::format("{} surfaces can be tested all at once", count);
   decide(&Features::peaks, none);
-  decide(&Features::peak_table, unless_none(needs_table ? "" : single.empty() ? few : single), f.peaks);
-  decide(&Features::peak_list, unless_none(f.peak_table ? "the peak table has them" : single),
-         f.peaks && !f.peak_table);
+  decide(&Features::peak_table,
+         unless_none(where_sampled(needs_table      ? ""
+                                   : single.empty() ? few
+                                                    : single)),
+         f.peaks && !f.analytic);
+  decide(&Features::peak_list, unless_none(where_sampled(f.peak_table ? "the peak table has them" : single)),
+         f.peaks && !f.peak_table && !f.analytic);
   if (f.peak_table) {
     const int most = s_.rendering.peak_bins;
     need_.peak_bins = forced_.large_tables ? most : separating_bins(s_.surfaces(), s_.surface_field(), most);
   }
-  decide(&Features::several_peaks, unless_none(s_.why_no_several_peaks(need_.peak_bins)), f.peaks);
+  decide(&Features::several_peaks, unless_none(where_sampled(s_.why_no_several_peaks(need_.peak_bins))),
+         f.peaks && !f.analytic);
 }
 
 // The peak form decides what becomes of peaks and DVR, also where one of them was forced in.
 void Decision::decide_forms() {
   const Features& f = need_.features;
-  const std::string paper = s_.is_split() ? "" : "the peak form is the paper's";
+  const std::string paper = where_sampled(s_.is_split() ? "" : "the peak form is the paper's");
   const std::string none = f.peaks ? "" : s_.why_no_peaks();
   const std::string nothing_to_divide = !none.empty() ? none
                                         : f.dvr       ? ""
@@ -95,6 +124,7 @@ void Decision::decide_forms() {
   decide(&Features::split, nothing_to_divide.empty() ? paper : nothing_to_divide, false);
   decide(&Features::exclusive,
          !nothing_to_divide.empty()         ? nothing_to_divide
+         : f.analytic                       ? where_sampled("")
          : !is_exclusive(s_.rendering.mode) ? "the mode is not PEAK_XOR_DVR"
          : s_.is_split()                    ? "the peak form is split"
                                             : "",
@@ -104,7 +134,7 @@ void Decision::decide_forms() {
 void Decision::decide_tf_table() {
   decide(&Features::base_tf, need_.needed.dvr ? s_.why_no_base_tf() : s_.why_no_dvr(), false);
   const double spacing = s_.grid.smallest_spacing();
-  if (need_.needed.dvr)
+  if (need_.needed.dvr && !need_.features.analytic)
     need_.tf_table =
         tf_table_size(s_.dvr_tf(), s_.dvr_field(), spacing, glm::length(s_.grid.box_size()) / spacing);
   if (forced_.large_tables) need_.tf_table.entries = largest_tf_table;
@@ -113,7 +143,7 @@ void Decision::decide_tf_table() {
   if (need_.features.preintegration_table)
     need_.preintegration_bins =
         is_constant(s_.dvr_tf(), s_.dvr_field()) ? 2 : s_.rendering.preintegration_bins;
-  if (!need_.needed.dvr) return;
+  if (!need_.needed.dvr || need_.features.analytic) return;
   need_.tf_blur = need_.features.preintegration_table
                       ? TableBlur{s_.dvr_field().width() / (need_.preintegration_bins - 1), s_.dvr_field()}
                       : tf_table_blur(s_.dvr_tf(), s_.dvr_field(), need_.tf_table.entries);
@@ -135,6 +165,11 @@ std::string Decision::why_no_skipping() const {
 
 void Decision::decide_steps() {
   const Sampling sampling = s_.rendering.sampling;
+  if (need_.features.analytic) {
+    for (const auto feature : {&Features::differential, &Features::footprint, &Features::adaptive})
+      decide(feature, where_sampled(""), false);
+    return decide(&Features::skipping, why_no_skipping());
+  }
   const std::string name = fmt::format("rendering.sampling is {}", name_of(sampling));
   decide(&Features::differential, sampling == Sampling::differential ? "" : name, false);
   decide(&Features::footprint, sampling == Sampling::footprint ? "" : name, false);
@@ -146,7 +181,7 @@ void Decision::decide_steps() {
 // One filter, unless both DVR and surfaces are there with different ones.
 void Decision::decide_filters() {
   Features& f = need_.features;
-  decide(&Features::own_root_filter, s_.why_no_own_root_filter(f), false);
+  decide(&Features::own_root_filter, where_sampled(s_.why_no_own_root_filter(f)), false);
   f.filter = dvr_filter(s_.rendering).kind;
   f.root_filter = root_filter(s_.rendering).kind;
   if (!f.own_root_filter) (f.dvr ? f.root_filter : f.filter) = f.dvr ? f.filter : f.root_filter;
@@ -191,12 +226,13 @@ void Decision::write_list() {
       if (in == feature.in && !(need_.features.*in)) list.left_out.emplace_back(feature.name, why_not);
   if (need_.features.placement == Placement::entry_exit_corner)
     list.left_out.emplace_back("placement",
-                               !has_equal_steps(s_.rendering.sampling)
+                               need_.features.analytic ? where_sampled("")
+                               : !has_equal_steps(s_.rendering.sampling)
                                    ? fmt::format("rendering.sampling is {}", name_of(s_.rendering.sampling))
                                : s_.rendering.placement == Placement::entry_exit_corner
                                    ? "entry_exit_corner, the default, is the plain shader"
                                    : "nothing is sampled");
-  if (need_.features.filter == Filter::linear)
+  if (need_.features.filter == Filter::linear && !need_.features.analytic)
     list.left_out.emplace_back("filter", "linear, the default, is the texture unit's");
   if (const auto& part = need_.tf_table.blurred)
     list.notes.push_back(
@@ -211,6 +247,7 @@ Need Decision::make(bool statistics) {
   const std::string nothing = s_.why_nothing();
   need_.visible = nothing.empty();
   if (need_.visible) {
+    decide(&Features::analytic, s_.why_no_analytic(), false);
     decide(&Features::dvr, s_.why_no_dvr());
     if (need_.needed.dvr) need_.features.blend_mode = need_.needed.blend_mode = s_.rendering.blend_mode;
     decide_peaks();
@@ -239,15 +276,16 @@ Need find_need(const Volume& volume, const Classification& classification, const
   if (const std::string why_not = why_inconsistent(rendering); !why_not.empty()) throw Error(why_not);
   const Box box = rendered_box(volume.grid, rendering.clip_box);
   const double spacing = volume.grid.smallest_spacing();
-  const SceneFacts facts{volume.grid,
-                         volume.statistics,
-                         classification,
-                         rendering,
-                         camera,
-                         size,
-                         box,
-                         longest_ray(camera, box) / spacing,
-                         step_lengths(rendering, camera, size, box, spacing)};
+  SceneFacts facts{volume.grid,
+                   volume.statistics,
+                   classification,
+                   rendering,
+                   camera,
+                   size,
+                   box,
+                   longest_ray(camera, box) / spacing,
+                   {}};
+  if (!facts.why_no_analytic().empty()) facts.steps = step_lengths(rendering, camera, size, box, spacing);
   return Decision(facts, forced, occupied_share).make(statistics);
 }
 
@@ -272,7 +310,13 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
     add("macrocells", fmt::format("{}x{}x{}, of {} cells a side", cells.x, cells.y, cells.z, side),
         std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z));
   }
-  if (f.preintegration_table)
+  if (f.analytic) {
+    const auto& tf = f.base_tf ? classification.base : classification.tf;
+    const auto levels =
+        reference::make_levels<double>(need.needed.dvr ? tf : TransferFunction{},
+                                       need.needed.peaks ? classification.surfaces : std::vector<Peak>(), 1);
+    add("tf_pieces", fmt::format("{}", levels.pieces.size()), levels.pieces.size() * bytes_of_tf_piece);
+  } else if (f.preintegration_table)
     add("preintegration_table", fmt::format("{0}x{0} bins", need.preintegration_bins),
         std::size_t(need.preintegration_bins) * std::size_t(need.preintegration_bins) * 4 * sizeof(float));
   else if (f.preintegrated)

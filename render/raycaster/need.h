@@ -26,7 +26,7 @@ struct Need {
   int preintegration_bins = 0;  ///< of the pre-integration table on each axis, where there is one
   int peak_bins = 0;            ///< of the peak table's arrays, where there is one
   /// Intervals of the longest ray, and how many of them a pass renders: some drivers end long loops in
-  /// silence.
+  /// silence. Where features.analytic, one is a smallest spacing long.
   int intervals = 0, intervals_per_pass = 1;
 
   /// Whether nothing has to be drawn.

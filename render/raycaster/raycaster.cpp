@@ -70,8 +70,8 @@ void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget&
 
 void Raycaster::draw_passes(const Scene& scene, const Camera& camera, const gl::RenderTarget& target,
                             const Need& needs, const std::function<void(int pass)>& after_pass) {
-  const GLuint id =
-      resources_->programs.program("fullscreen.vert", "raycaster.frag", shader_defines(needs.features));
+  const GLuint id = resources_->programs.program("fullscreen.vert", fragment_shader(needs.features),
+                                                 shader_defines(needs.features));
   bind_scene(resources_->held, scene, classification_of(resources_->held, scene), needs, id);
   set_view(id, scene, camera, target.size());
   glDisable(GL_DEPTH_TEST);

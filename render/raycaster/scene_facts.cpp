@@ -12,14 +12,16 @@
 
 namespace crest {
 
+int SceneFacts::cells_on_axes() const { return grid.dims.x + grid.dims.y + grid.dims.z; }
+
 int SceneFacts::spans(const Features& features) const {
-  const int cells = grid.dims.x + grid.dims.y + grid.dims.z;
+  const int cells = cells_on_axes();
   return 1 + (features.empty_cells ? cells : 0) +
          (features.adaptive ? cells / macrocell_side(grid, statistics) + 3 : 0);
 }
 
 int SceneFacts::walk_rounds(const Features& features) const {
-  const int cells = grid.dims.x + grid.dims.y + grid.dims.z;
+  const int cells = cells_on_axes();
   const int macrocells =
       features.adaptive || features.skipping ? 4 * (cells / macrocell_side(grid, statistics) + 3) : 0;
   return (features.empty_cells ? 2 * cells : 0) + macrocells;
@@ -51,6 +53,12 @@ std::string SceneFacts::why_no_dvr() const {
   if (largest_opacity(classification.tf, dvr_field()) > 0)
     return "without its spikes, which are surfaces, the transfer function shows nothing";
   return "the transfer function shows nothing in the volume's range";
+}
+
+std::string SceneFacts::why_no_analytic() const {
+  if (!is_analytic(rendering.classification))
+    return fmt::format("rendering.classification is {}", name_of(rendering.classification));
+  return is_semi_transparent() || !shows_dvr(rendering.mode) ? "" : blend_mode();
 }
 
 std::string SceneFacts::why_no_peaks() const {
@@ -117,8 +125,11 @@ std::string SceneFacts::why_no_early_termination(const Features& features) const
              (longest_ray + steps.longest) * grid.smallest_spacing();
   if (features.peaks) {
     const double opacity = std::ranges::max(surfaces(), {}, &Peak::opacity).opacity;
-    const double most = is_split() ? 2 * int(surfaces().size()) : rendering.max_peaks;
-    depth -= std::log1p(-opacity) * most * (steps.most + 2 * spans(features));
+    const double count = double(surfaces().size());
+    const double most = features.analytic ? 3 * count * cells_on_axes()
+                                          : (is_split() ? 2 * count : rendering.max_peaks) *
+                                                (steps.most + 2 * spans(features));
+    depth -= std::log1p(-opacity) * most;
   }
   const double least = std::exp(-depth);
   if (!(least * (1 - 1e-3) > rendering.early_termination)) return "";

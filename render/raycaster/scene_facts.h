@@ -24,7 +24,7 @@ struct SceneFacts {
   glm::ivec2 size;     ///< of the picture
   Box box;             ///< what is rendered, in world units
   double longest_ray;  ///< in it, in smallest spacings
-  StepLengths steps;   ///< on its rays
+  StepLengths steps;   ///< on its rays, where they are sampled
 
   /// What the field can be where DVR samples it, and where surfaces lie.
   ValueRange dvr_field() const { return field_range(dvr_filter(rendering), statistics.range); }
@@ -35,9 +35,10 @@ struct SceneFacts {
     return fmt::format("rendering.illumination is {}", name_of(rendering.blend_mode));
   }
   std::string mode() const { return fmt::format("the mode is {}", name_of(rendering.mode)); }
-  bool is_split() const { return crest::is_split(rendering.peak_form); }
+  bool is_split() const { return is_divided(rendering); }
 
   std::string why_nothing() const;
+  std::string why_no_analytic() const;
   std::string why_no_base_tf() const;
   std::string why_no_dvr() const;
   std::string why_no_peaks() const;
@@ -56,6 +57,8 @@ struct SceneFacts {
     return why_no_base_tf().empty() ? classification.base : classification.tf;
   }
   double aspect() const { return double(size.x) / size.y; }
+  /// No ray meets more cells.
+  int cells_on_axes() const;
   /// The most spans of a ray that are marched on their own: each may take two intervals more.
   int spans(const Features& features) const;
   /// The most rounds of the loops that walk along a ray from cell to cell.

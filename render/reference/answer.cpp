@@ -41,7 +41,7 @@ std::vector<Answer> answers_of(const Rendering& rendering) {
     case Mode::peak_xor_dvr:
       break;
   }
-  if (is_split(rendering.peak_form)) return {Answer::base_and_crossings};
+  if (is_divided(rendering)) return {Answer::base_and_crossings};
   return {Answer::integral_and_crossings, Answer::base_and_crossings};
 }
 

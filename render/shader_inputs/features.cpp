@@ -21,6 +21,7 @@ const std::vector<FeatureName>& all_features() {
       {&Features::exclusive, "exclusive", "EXCLUSIVE"},
       {&Features::base_tf, "base_tf", nullptr},
       {&Features::own_root_filter, "own_root_filter", "OWN_ROOT_FILTER"},
+      {&Features::analytic, "analytic", nullptr},  // a shader of its own
       {&Features::preintegrated, "preintegrated", "PREINTEGRATED"},
       {&Features::preintegration_table, "preintegration_table", "PREINTEGRATION_TABLE"},
       {&Features::clip_box, "clip_box", nullptr},

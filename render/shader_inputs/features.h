@@ -19,6 +19,7 @@ struct Features {
   bool exclusive = false;        ///< in the paper's form: no DVR sample in a step with a crossing
   bool base_tf = false;          ///< DVR takes the TF without its spikes
   bool own_root_filter = false;  ///< surfaces lie in another filter's field than DVR samples
+  bool analytic = false;         ///< rays are solved from cell to cell, without samples
   bool preintegrated = false;    ///< DVR by segments between field values, not by samples
   bool preintegration_table = false;  ///< of both values, for one length; else by antiderivatives
   bool clip_box = false;              ///< which takes something away from the volume
@@ -54,6 +55,11 @@ const std::vector<FeatureName>& all_features();
 
 /// Whether a field's value or gradient comes from such a filter.
 bool uses_filter(const Features& features, Filter filter);
+
+/// The ray caster's shader for them.
+inline const char* fragment_shader(const Features& features) {
+  return features.analytic ? "analytic.frag" : "raycaster.frag";
+}
 
 /// The shader's defines, as "NAME value"; the same features give the same list.
 std::vector<std::string> shader_defines(const Features& features);

@@ -1,12 +1,8 @@
 // Peak finding (Knoll et al. 2009, section 4.2 and appendix): which peaks a segment may cross, whether it does, where.
 
 #include "field.glsl"
+#include "surfaces.glsl"
 
-struct Peak {
-  vec4 color_opacity;
-  float value;
-};
-layout(std430, binding = 0) readonly buffer Peaks { Peak peaks[]; };  // by ascending value
 
 // A place on the ray where the field's value is known.
 struct Knot {

@@ -1,0 +1,61 @@
+// The exact ray caster: cell by cell (march_cells.glsl). DVR, PEAKS, ... are 0 or 1, from what the scene needs
+// (shader_inputs/features.h).
+
+#include "ray.glsl"
+#include "statistics.glsl"
+#include "field.glsl"
+#include "compositing.glsl"
+#include "macrocells.glsl"
+
+layout(location = 0) out vec4 out_color;
+
+#if LONG_RAYS
+// A pass renders these of a ray's intervals, each one smallest spacing long: some drivers end loops that are too long.
+uniform int first_interval, interval_count;
+#endif
+#if EARLY_TERMINATION
+uniform float least_residual;
+#define TERMINATED (transmittance < least_residual)
+#elif STATISTICS
+#define TERMINATED false  // crossings behind what is opaque are counted
+#else
+#define TERMINATED (transmittance <= 0.0)
+#endif
+
+#include "march_cells.glsl"
+
+void march_span(Ray ray, Span span) {
+#if SKIPPING
+  Walk walk = begin_macrocells(ray, span);
+  float slack = slack_of(ray, span), done = span.enter;
+  bool more = true;
+  Span cells;
+  uint multiple;
+  while (!TERMINATED && next_macrocells(walk, more, cells, multiple)) {
+    Span part = Span(max(cells.enter - slack, done), min(cells.exit + slack, span.exit));
+    done = max(done, part.exit);
+    if (part.enter < part.exit) march_cells(ray, part);
+  }
+#else
+  march_cells(ray, span);
+#endif
+}
+
+void main() {
+  Ray ray = pixel_ray();
+  Span span;
+  if (hit_box(ray, span.enter, span.exit) && span.enter < span.exit) {
+#if STATISTICS
+    counts.w |= 0x80000000u;
+#endif
+#if LONG_RAYS
+    float begin = span.enter + float(first_interval);
+    span = Span(begin, min(span.exit, begin + float(interval_count)));
+#endif
+    if (span.enter < span.exit) march_span(ray, span);
+  }
+  out_color = collected;
+#if STATISTICS
+  out_counts = counts;
+#endif
+}
