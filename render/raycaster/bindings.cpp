@@ -117,8 +117,8 @@ void bind_tf_pieces(const Binding& b) {
   if (b.need.needed.dvr)
     tf = b.units.stored(b.need.features.base_tf ? b.classification.base : b.classification.tf);
   if (b.need.needed.peaks) surfaces = b.units.stored(b.classification.surfaces);
-  const TfPieces& pieces = tf_pieces(b.held, tf, surfaces, b.spacing);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, pieces.buffer.id());
+  const TfPiecesTexture& pieces = tf_pieces_texture(b.held, tf, surfaces, b.spacing);
+  bind_texture(b, tf_unit, "tf_pieces", pieces.texture.id());
   set(b.program, "tf_piece_count", pieces.count);
   set(b.program, "extinction_scale", pieces.extinction_scale);
   if (b.need.features.peaks) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, peak_buffer(b.held, surfaces));

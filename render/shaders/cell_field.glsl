@@ -20,13 +20,31 @@ CellCorners corners_of(CellWalk walk) {
   return c;
 }
 
+// Those of the cell that a walk has come to, from those of the cell before: four are the same.
+CellCorners next_corners(CellWalk walk, CellCorners c) {
+  bool x = walk.entered.x, y = walk.entered.y;
+  ivec3 u = walk.step * (x ? ivec3(0, 1, 0) : ivec3(1, 0, 0)), v = walk.step * (x || y ? ivec3(0, 0, 1) : ivec3(0, 1, 0));
+  ivec3 point = walk.first + walk.step * (walk.cell + ivec3(walk.entered));
+  vec4 far = vec4(texelFetch(volume, point, 0).r, texelFetch(volume, point + u, 0).r,
+                  texelFetch(volume, point + v, 0).r, texelFetch(volume, point + u + v, 0).r);
+  CellCorners along_x = CellCorners(c.high, far);
+  CellCorners along_y = CellCorners(vec4(c.low.y, far.x, c.low.w, far.z), vec4(c.high.y, far.y, c.high.w, far.w));
+  CellCorners along_z = CellCorners(vec4(c.low.zw, far.xz), vec4(c.high.zw, far.yw));
+  return CellCorners(mix(mix(along_z.low, along_y.low, bvec4(y)), along_x.low, bvec4(x)),
+                     mix(mix(along_z.high, along_y.high, bvec4(y)), along_x.high, bvec4(x)));
+}
+
 vec2 range_of(CellCorners c) {
   vec4 least = min(c.low, c.high), most = max(c.low, c.high);
   return vec2(min(min(least.x, least.y), min(least.z, least.w)), max(max(most.x, most.y), max(most.z, most.w)));
 }
 
-// Exact at both ends, and where they are equal: so a face of equal values has that value.
-float lerp(float a, float b, float u) { return u < 0.5 ? a + (b - a) * u : b - (b - a) * (1.0 - u); }
+// Exact at both ends, and where they are equal. So a face of equal values has that value, and a face's values are the
+// same to the bit in both of its cells.
+float lerp(float a, float b, float u) {
+  precise float value = u < 0.5 ? a + (b - a) * u : b - (b - a) * (1.0 - u);
+  return value;
+}
 
 float value_at(CellCorners c, vec3 place) {
   vec4 edges = vec4(lerp(c.low.x, c.high.x, place.x), lerp(c.low.y, c.high.y, place.x),
@@ -62,15 +80,15 @@ vec2 turns_of(vec3 p) {
   return vec2(min(roots.x, roots.y), max(roots.x, roots.y));
 }
 
-// Where the rise, monotone on [0, size], comes to `target`: Newton's method in a bracket, from where the parabola does.
-float solve_rise(vec3 p, float target, float size, bool up) {
+// Where the rise, monotone on [0, size], comes to `target`, if it is met: Newton's method in a bracket, from where the
+// parabola does. Else `size`.
+float solve_rise(vec3 p, float target, float size, bool up, bool is_met) {
   float low = 0.0, high = size;
   float root = sqrt(max(p.x * p.x + 4.0 * p.y * target, 0.0));
   float s = 2.0 * target / (p.x + (up ? root : -root));
   if (!(s >= low && s <= high)) s = 0.5 * size;
-  // (The loop ends at its head: see march_peaks.glsl.)
-  float change = size;
-  for (int i = 0; i < 24 && change > 1.0e-6 * s; ++i) {
+  float change = is_met ? size : 0.0;
+  for (int i = 0; i < 24 && change > 5.0e-4 * s; ++i) {  // the error left is that squared
     float value = rise_at(p, s) - target;
     if ((value < 0.0) == up) low = s; else high = s;
     float next = s - value / (p.x + s * (2.0 * p.y + 3.0 * p.z * s));
@@ -78,5 +96,5 @@ float solve_rise(vec3 p, float target, float size, bool up) {
     change = abs(next - s);
     s = next;
   }
-  return s;
+  return is_met ? s : size;
 }

@@ -13,100 +13,124 @@ bool is_empty(CellWalk walk) {
 }
 #endif
 
-void composite_surfaces(Ray ray, uint first, uint past, bool rising, float t) {
+void composite_surfaces(Ray ray, int first, int past, bool rising, float t) {
 #if PEAKS
   if (first == past) return;
   float light_here = LIGHT(t);
-  for (uint i = first; i < past; ++i) {
-    Peak peak = peaks[rising ? i : past - 1u - (i - first)];
+  for (int i = first; i < past; ++i) {
+    Peak peak = peaks[rising ? i : past - 1 - (i - first)];
     composite(peak.color_opacity.rgb * light_here, peak.color_opacity.a);
     COUNT_CROSSING;
   }
 #endif
 }
 
-// A march's state between two cells: the field's value, to the bit the same for both, and in which piece of the TF it
-// is. Where the value is that of a level it belongs to the side that the ray comes from, until the field goes on or
-// stays: inside is {f >= v}, and a touch is no crossing.
+// A march's state: the cell, how far the ray is in it, and in which piece of the TF the field is there. Where its value
+// is that of a level it belongs to the side that the ray comes from, until the field goes on or stays: inside is
+// {f >= v}, and a touch is no crossing.
 struct March {
-  float value;
+  CellWalk walk;
+  CellCorners corners;
+  float s;       // the share of the cell that lies behind
+  float offset;  // of the field's value in the piece
   int index;
   TfPiece piece;
   bool is_first;  // nothing lies before: a level that the ray begins on is not crossed
+  bool more;
 };
 
-March begin_march(float value) {
-  int index = piece_at(value);
-  return March(value, index, tf_pieces[index], true);
+void find_piece(inout March m) {
+  m.index = piece_at(value_at(m.corners, entry_place(m.walk)));
+  m.piece = tf_piece(m.index);
+  m.is_first = true;
+}
+
+#if EMPTY_CELLS
+#define MAY_BE_EMPTY is_empty(m.walk)
+#else
+#define MAY_BE_EMPTY false
+#endif
+
+// Whether nothing is to be done in the cell: the field stays in one piece of the TF, which shows nothing.
+bool shows_nothing(March m) {
+  vec2 range = range_of(m.corners);
+  return is_clear(m.piece) && range.x > m.piece.low_value && range.y < m.piece.high_value && !MAY_BE_EMPTY;
+}
+
+// To the next cell, with its corners.
+void enter_next_cell(inout March m) {
+  COUNT_SAMPLE;
+  m.is_first = false;
+  m.more = advance(m.walk, exit_of(m.walk));
+  if (m.more) m.corners = next_corners(m.walk, m.corners);
+  m.s = 0.0;
+}
+
+// Takes the ray one part further: to the next level, the field's next extremum, or the cell's end.
+void march_part(Ray ray, inout March m) {
+  CellExit leave = exit_of(m.walk);
+  vec3 from = entry_place(m.walk), to = exit_place(m.walk, leave);
+  vec3 whole = rise_along(m.corners, from, to);
+  vec2 turns = turns_of(whole);
+  float length = leave.t - m.walk.t;
+  if (m.s == 0.0) m.offset = offset_in(m.piece, value_at(m.corners, from));
+  float end = m.s < turns.x ? turns.x : m.s < turns.y ? turns.y : 1.0;
+  CellPart part = CellPart(rise_from(whole, m.s), end - m.s, m.offset, 0.0, m.walk.t + m.s * length, 0.0);
+  part.rise = end == 1.0 ? offset_in(m.piece, value_at(m.corners, to)) - m.offset : rise_at(part.p, part.size);
+  bool up = part.rise >= 0.0;
+  float target = (up ? m.piece.most : m.piece.least) - m.offset;
+  bool meets = up ? part.rise > target || (part.rise == 0.0 && target == 0.0) : part.rise < target;
+  part.size = solve_rise(part.p, target, part.size, up, meets);
+  if (meets) part.rise = target;
+  part.length = part.size * length;
+#if DVR
+  composite_part(ray, m.piece, part);
+#endif
+  m.is_first = m.is_first && part.size == 0.0;
+  m.s = meets ? m.s + part.size : end;
+  m.offset += part.rise;
+  if (meets) {
+    int below = m.piece.first_surface, past = m.piece.past_surface;
+    m.index += up ? 1 : -1;
+    m.piece = tf_piece(m.index);
+    m.offset = up ? m.piece.least : m.piece.most;
+    if (!up) {
+      below = m.piece.first_surface;
+      past = m.piece.past_surface;
+    }
+    composite_surfaces(ray, below, m.is_first ? below : past, up, m.walk.t + m.s * length);
+  }
+  if (!meets && end == 1.0) m.s = 2.0;  // done
 }
 
 // Mesa 22.3's llvmpipe takes a value that a loop has computed from the last lane that leaves the loop, unless it leaves at
 // the loop's head: so each loop here has a bound that a compiler does not know, and cannot turn into one that leaves at
 // its foot.
 
-// A cell in which the field may meet a level.
-void march_cell(Ray ray, inout March march, CellCorners corners, vec3 from, CellExit leave, float t, float value) {
-  vec3 whole = rise_along(corners, from, leave.place);
-  vec2 turns = turns_of(whole);
-  float length = leave.t - t, s = 0.0, offset = offset_in(march.piece, march.value);
-  bool more = true;
-  for (int left = 3 * tf_piece_count; more && left > 0; --left) {
-    TfPiece piece = march.piece;
-    float end = s < turns.x ? turns.x : s < turns.y ? turns.y : 1.0;
-    CellPart part = CellPart(rise_from(whole, s), end - s, offset, 0.0, t + s * length, 0.0);
-    part.rise = end == 1.0 ? offset_in(piece, value) - offset : rise_at(part.p, part.size);
-    bool up = part.rise >= 0.0;
-    float target = (up ? piece.most : piece.least) - offset;
-    bool meets = up ? part.rise > target || (part.rise == 0.0 && target == 0.0) : part.rise < target;
-    if (meets) {
-      part.size = solve_rise(part.p, target, part.size, up);
-      part.rise = target;
-    }
-    part.length = part.size * length;
-#if DVR
-    if (!is_clear(piece) && part.length > 0.0) composite_part(ray, piece, part);
-#endif
-    if (part.size > 0.0) march.is_first = false;
-    more = meets || end < 1.0;
-    s = meets ? s + part.size : end;
-    offset += part.rise;
-    if (meets) {
-      march.index += up ? 1 : -1;
-      march.piece = tf_pieces[march.index];
-      offset = up ? march.piece.least : march.piece.most;
-      if (!march.is_first) {
-        TfPiece below = piece;
-        if (!up) below = march.piece;
-        composite_surfaces(ray, below.first_surface, below.past_surface, up, t + s * length);
-      }
-    }
-    more = more && !TERMINATED;
-  }
-  march.is_first = false;
-}
-
+// On SIMD hardware all lanes pay for what one does: a round is the same for all, one part of the ray, and cells in which
+// nothing is to be done are left in a loop of their own.
 void march_cells(Ray ray, Span span) {
-  CellWalk walk = begin_cell_walk(ray, span);
-  CellCorners corners = corners_of(walk);
-  March march = begin_march(value_at(corners, walk.place));
-  bool more = true;
-  for (int left = walk.cells.x + walk.cells.y + walk.cells.z; more && left > 0 && !TERMINATED; --left) {
-    CellExit leave = exit_of(walk);
-    COUNT_SAMPLE;
+  March m;
+  m.walk = begin_cell_walk(ray, span);
+  m.corners = corners_of(m.walk);
+  m.s = m.offset = 0.0;
+  m.more = true;
+  find_piece(m);
+  int most_cells = m.walk.cells.x + m.walk.cells.y + m.walk.cells.z;
+  for (uint left = 3u * uint(most_cells) * uint(tf_piece_count); m.more && left > 0u && !TERMINATED; --left) {
+    bool leave = m.s > 1.0 || (m.s == 0.0 && shows_nothing(m));
+    for (int cells = most_cells; leave && cells > 0; --cells) {
+      enter_next_cell(m);
+      leave = m.more && shows_nothing(m);
+    }
 #if EMPTY_CELLS
-    if (is_empty(walk)) {
-      more = advance(walk, leave);
-      if (more) {
-        corners = corners_of(walk);
-        march = begin_march(value_at(corners, walk.place));
-      }
-      continue;
+    bool empty = m.more && m.s == 0.0 && MAY_BE_EMPTY;
+    for (int cells = most_cells; empty && cells > 0; --cells) {
+      enter_next_cell(m);
+      empty = m.more && MAY_BE_EMPTY;
+      if (!empty) find_piece(m);
     }
 #endif
-    float value = value_at(corners, leave.place);
-    march_cell(ray, march, corners, walk.place, leave, walk.t, value);
-    march.value = value;
-    more = advance(walk, leave);
-    if (more) corners = corners_of(walk);
+    if (m.more) march_part(ray, m);
   }
 }

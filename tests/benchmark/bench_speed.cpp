@@ -14,6 +14,7 @@
 
 #include "app/offscreen_context.h"
 #include "presets/error.h"
+#include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/classify/peak_table.h"
 #include "render/files/load.h"
@@ -55,6 +56,13 @@ Race xor_race(const std::string& name, const char* volume, const char* preset, d
     return with(frame_of(volume, preset, mode, shading), &Rendering::skipping, skipping);
   };
   return {"PEAK_XOR_DVR to DVR_ONLY, " + name, frame(Mode::peak_xor_dvr), frame(Mode::dvr_only), aim};
+}
+
+/// The exact march to half a voxel's samples of the same scene.
+Race analytic_race(const std::string& name, const char* volume, const char* preset, Mode mode, double aim) {
+  return {fmt::format("analytic {} to DVR_ONLY, {}", name_of(mode), name),
+          with(frame_of(volume, preset, mode), &Rendering::classification, ClassificationMethod::analytic),
+          frame_of(volume, preset, Mode::dvr_only), aim};
 }
 
 Race skipping_race(const std::string& name, const Frame& frame) {
@@ -122,6 +130,15 @@ std::vector<Race> races(const std::filesystem::path& fetch_loop) {
       skipping_race("vessels, shaded",
                     frame_of("vessels?n=128", "vessels-shell", Mode::peak_xor_dvr, Shading::gradient)),
   };
+  for (const Mode mode : {Mode::dvr_only, Mode::peak_xor_dvr}) {
+    list.push_back(analytic_race("haze", "noise?n=96", "smooth-haze", mode, 2.5));
+    list.push_back(analytic_race("noise", "noise?n=96", "noisy-band", mode, 2.5));
+    list.push_back(analytic_race("gyroid, four peaks", "gyroid?n=96", "four-peaks", mode, 2.5));
+    list.push_back(analytic_race("marschner-lobb, four peaks", "marschner-lobb?n=96", "four-peaks", mode, 2.5));
+    list.push_back(analytic_race("eight shells", "sphere?n=96", "onion", mode, 2.5));
+    list.push_back(analytic_race("a spike", spike, "dirac-shell", mode, 1.2));
+    list.push_back(analytic_race("vessels", "vessels?n=128", "vessels-shell", mode, 1.2));
+  }
   const auto noise = std::make_shared<const Volume>(make_builtin("noise?n=96"));
   for (const double threshold : {0.4, 0.6, 0.8, 1.0, 1.3, 1.6}) list.push_back(share_race(noise, threshold));
   if (const auto real = real_vessels()) list.push_back(skipping_race("aneurism", *real));
