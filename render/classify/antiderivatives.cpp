@@ -50,7 +50,7 @@ Antiderivatives build_antiderivatives(const TransferFunction& tf, ValueRange fie
     const glm::dvec4 slope = material_of(evaluate_left(tf, end)) - material_of(evaluate_right(tf, begin));
     add(mean, is_material(mean, slope) ? slope : glm::dvec4(0));
   }
-  add(material_of(evaluate_left(tf, field.max)), glm::dvec4(0));
+  add(material_of(evaluate(tf, field.max)), glm::dvec4(0));
   return result;
 }
 

@@ -27,6 +27,9 @@ std::vector<TfPiece> pieces_of(const TransferFunction& tf, ValueRange field) {
   for (const ControlPoint& point : tf.points)
     if (point.value > from && point.value < field.max) add_up_to(point.value);
   if (field.max > from || pieces.empty()) add_up_to(field.max);
+  const Classified at_end = evaluate(tf, field.max);
+  if (field.max > field.min && !is_same(pieces.back().end, at_end))
+    pieces.push_back({field.max, field.max, at_end, at_end});
   return pieces;
 }
 

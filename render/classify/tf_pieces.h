@@ -13,7 +13,8 @@ struct TfPiece {
   double width() const { return to - from; }
 };
 
-/// All of them, side by side; at least one, which has no width in a constant field. O(points).
+/// All of them, side by side; at least one, which has no width in a constant field. Where the TF has a step
+/// at the greatest value, the last one has no width: of a mask, that is all of the inside. O(points).
 std::vector<TfPiece> pieces_of(const TransferFunction& tf, ValueRange field);
 
 /// Whether two materials look the same: without opacity the colour does not matter.

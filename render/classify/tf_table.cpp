@@ -106,6 +106,22 @@ Demands demands_of(const std::vector<TfPiece>& pieces, double spacing, double lo
   return demands;
 }
 
+/// So many entries, or somewhat fewer, that each step lies on one, if there is such a number, and so that a
+/// shader's arithmetic finds it without rounding: a region that stays on the step's value then shows what the
+/// TF has there, as labels do.
+int with_steps_on_entries(const std::vector<TfPiece>& pieces, int entries) {
+  const ValueRange range = table_range(pieces);
+  const auto is_whole = [](double x) { return x == std::floor(x); };
+  for (double per_unit = std::exp2(std::floor(std::log2((entries - 1) / range.width()))), bins;
+       (bins = range.width() * per_unit) > 0.5 * (entries - 1) - 1; per_unit /= 2) {
+    bool all = is_whole(bins);
+    for (std::size_t i = 0; i < pieces.size() && all; ++i)
+      all = !is_step(pieces, i) || is_whole((pieces[i].from - range.min) * per_unit);
+    if (all) return int(bins) + 1;
+  }
+  return entries;
+}
+
 }  // namespace
 
 TfTableSize tf_table_size(const TransferFunction& tf, ValueRange field, double smallest_spacing,
@@ -128,6 +144,7 @@ TfTableSize tf_table_size(const TransferFunction& tf, ValueRange field, double s
   size.error = std::min(size.error, demands.largest_opacity);
   if (size.entries == most && demands.narrowest && demands.narrowest->width() < entry)
     size.blurred = demands.narrowest;
+  if (demands.largest_step > 0) size.entries = with_steps_on_entries(pieces, size.entries);
   return size;
 }
 

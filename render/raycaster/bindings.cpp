@@ -7,8 +7,8 @@
 #include "render/gl/uniforms.h"
 #include "render/resources/macrocell_texture.h"
 #include "render/resources/preintegration_textures.h"
+#include "render/resources/shader_tf_texture.h"
 #include "render/resources/table_textures.h"
-#include "render/resources/tf_pieces_buffer.h"
 #include "render/resources/volume_texture.h"
 #include "render/shader_inputs/blend_mode.h"
 
@@ -117,7 +117,7 @@ void bind_tf_pieces(const Binding& b) {
   if (b.need.needed.dvr)
     tf = b.units.stored(b.need.features.base_tf ? b.classification.base : b.classification.tf);
   if (b.need.needed.peaks) surfaces = b.units.stored(b.classification.surfaces);
-  const TfPiecesTexture& pieces = tf_pieces_texture(b.held, tf, surfaces, b.spacing);
+  const ShaderTfTexture& pieces = shader_tf_texture(b.held, tf, surfaces, b.spacing);
   bind_texture(b, tf_unit, "tf_pieces", pieces.texture.id());
   set(b.program, "tf_piece_count", pieces.count);
   set(b.program, "extinction_scale", pieces.extinction_scale);

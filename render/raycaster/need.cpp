@@ -10,7 +10,7 @@
 #include "render/classify/antiderivatives.h"
 #include "render/classify/peak_table.h"
 #include "render/raycaster/scene_facts.h"
-#include "render/resources/tf_pieces.h"
+#include "render/resources/shader_tf.h"
 #include "render/scene/view.h"
 #include "render/shader_inputs/blend_mode.h"
 #include "render/volume/largest_change.h"
@@ -312,9 +312,8 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
   if (f.analytic) {
     const auto& tf = f.base_tf ? classification.base : classification.tf;
     const auto surfaces = need.needed.peaks ? classification.surfaces : std::vector<Peak>();
-    const std::size_t count =
-        build_tf_pieces(need.needed.dvr ? tf : TransferFunction{}, surfaces, 1).pieces.size();
-    add("tf_pieces", fmt::format("{}", count), count * sizeof(TfPiece));
+    const std::size_t count = shader_tf(need.needed.dvr ? tf : TransferFunction{}, surfaces, 1).pieces.size();
+    add("tf_pieces", fmt::format("{}", count), count * sizeof(ShaderTfPiece));
   } else if (f.preintegration_table)
     add("preintegration_table", fmt::format("{0}x{0} bins", need.preintegration_bins),
         std::size_t(need.preintegration_bins) * std::size_t(need.preintegration_bins) * 4 * sizeof(float));

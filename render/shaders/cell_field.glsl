@@ -80,21 +80,31 @@ vec2 turns_of(vec3 p) {
   return vec2(min(roots.x, roots.y), max(roots.x, roots.y));
 }
 
-// Where the rise, monotone on [0, size], comes to `target`, if it is met: Newton's method in a bracket, from where the
-// parabola does. Else `size`.
-float solve_rise(vec3 p, float target, float size, bool up, bool is_met) {
-  float low = 0.0, high = size;
-  float root = sqrt(max(p.x * p.x + 4.0 * p.y * target, 0.0));
-  float s = 2.0 * target / (p.x + (up ? root : -root));
-  if (!(s >= low && s <= high)) s = 0.5 * size;
-  float change = is_met ? size : 0.0;
-  for (int i = 0; i < 24 && change > 5.0e-4 * s; ++i) {  // the error left is that squared
-    float value = rise_at(p, s) - target;
-    if ((value < 0.0) == up) low = s; else high = s;
-    float next = s - value / (p.x + s * (2.0 * p.y + 3.0 * p.z * s));
-    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-    change = abs(next - s);
-    s = next;
-  }
-  return is_met ? s : size;
+// A bracket of a root, and the best place in it that is known.
+struct Root {
+  float low, high, at;
+};
+
+// To where the parabola that touches the cubic there comes to `target`; where that leaves the bracket, to its middle.
+Root improve(Root root, vec3 p, float target, bool up) {
+  float value = rise_at(p, root.at) - target;
+  if ((value < 0.0) == up) root.low = root.at; else root.high = root.at;
+  float slope = p.x + root.at * (2.0 * p.y + 3.0 * p.z * root.at), bend = 2.0 * p.y + 6.0 * p.z * root.at;
+  float steep = sqrt(max(slope * slope - 2.0 * value * bend, 0.0));
+  float next = root.at - 2.0 * value / (slope + (up ? steep : -steep));
+  root.at = next >= root.low && next <= root.high ? next : 0.5 * (root.low + root.high);
+  return root;
+}
+
+// Where the rise, monotone on [0, size] and `rise` at its end, comes to `target`. Four steps are right to 1e-3 of the
+// size for all but 1e-4 of roots, many of them beside extrema, and to rounding for nearly all. (A loop until nothing
+// changes, or Newton's method, which takes more of them, costs llvmpipe twice as much.)
+float solve_rise(vec3 p, float target, float size, float rise) {
+  bool up = rise >= 0.0;
+  Root root = Root(0.0, size, rise == 0.0 ? 0.0 : clamp(size * (target / rise), 0.0, size));
+  root = improve(root, p, target, up);
+  root = improve(root, p, target, up);
+  root = improve(root, p, target, up);
+  root = improve(root, p, target, up);
+  return root.at;
 }

@@ -13,8 +13,8 @@ bool is_empty(CellWalk walk) {
 }
 #endif
 
-void composite_surfaces(Ray ray, int first, int past, bool rising, float t) {
 #if PEAKS
+void composite_surfaces(Ray ray, int first, int past, bool rising, float t) {
   if (first == past) return;
   float light_here = LIGHT(t);
   for (int i = first; i < past; ++i) {
@@ -22,8 +22,8 @@ void composite_surfaces(Ray ray, int first, int past, bool rising, float t) {
     composite(peak.color_opacity.rgb * light_here, peak.color_opacity.a);
     COUNT_CROSSING;
   }
-#endif
 }
+#endif
 
 // A march's state: the cell, how far the ray is in it, and in which piece of the TF the field is there. Where its value
 // is that of a level it belongs to the side that the ray comes from, until the field goes on or stays: inside is
@@ -80,8 +80,10 @@ void march_part(Ray ray, inout March m) {
   bool up = part.rise >= 0.0;
   float target = (up ? m.piece.most : m.piece.least) - m.offset;
   bool meets = up ? part.rise > target || (part.rise == 0.0 && target == 0.0) : part.rise < target;
-  part.size = solve_rise(part.p, target, part.size, up, meets);
-  if (meets) part.rise = target;
+  if (meets) {
+    part.size = solve_rise(part.p, target, part.size, part.rise);
+    part.rise = target;
+  }
   part.length = part.size * length;
 #if DVR
   composite_part(ray, m.piece, part);
@@ -90,15 +92,13 @@ void march_part(Ray ray, inout March m) {
   m.s = meets ? m.s + part.size : end;
   m.offset += part.rise;
   if (meets) {
-    int below = m.piece.first_surface, past = m.piece.past_surface;
     m.index += up ? 1 : -1;
     m.piece = tf_piece(m.index);
     m.offset = up ? m.piece.least : m.piece.most;
-    if (!up) {
-      below = m.piece.first_surface;
-      past = m.piece.past_surface;
-    }
-    composite_surfaces(ray, below, m.is_first ? below : past, up, m.walk.t + m.s * length);
+#if PEAKS
+    ivec2 crossed = surfaces_above(up ? m.index - 1 : m.index);
+    composite_surfaces(ray, crossed.x, m.is_first ? crossed.x : crossed.y, up, m.walk.t + m.s * length);
+#endif
   }
   if (!meets && end == 1.0) m.s = 2.0;  // done
 }

@@ -3,33 +3,33 @@
 // spike is as exact when it is 1e-7 of the range wide as when it is 1e-1.
 
 struct TfPiece {
-  vec4 low, rise;     // colour and opacity at its lower level, and how much more at its upper one
-  float base;         // offsets are from this value: the lower level's, or in the first piece the upper one's
-  float least, most;  // offsets of its levels; -3e38 and 3e38 where there is none
-  float inverse_width;              // 0 beyond the TF's ends
-  float low_value, high_value;      // the levels' own, rounded
-  int first_surface, past_surface;  // those of the level above it
-  vec4 depth_even, depth_odd;       // coefficients of depth_in
+  vec4 low, rise;       // colour and opacity at its lower level, and how much more at its upper one
+  float base;           // offsets are from this value: the lower level's, or in the first piece the upper one's
+  float least, most;    // offsets of its levels; beyond all values where there is none
+  float inverse_width;  // 0 beyond the TF's ends
+  float low_value, high_value;  // the levels' own, rounded
 };
-// Six texels a piece, its members in their order. (llvmpipe reads a storage buffer lane by lane.)
+// Four texels a piece (resources/shader_tf.h). llvmpipe reads a storage buffer lane by lane.
 uniform samplerBuffer tf_pieces;
 uniform int tf_piece_count;
 uniform float extinction_scale;  // of -log(1 - opacity), to be that per smallest spacing
 
 TfPiece tf_piece(int index) {
-  int i = 6 * index;
-  vec4 offsets = texelFetch(tf_pieces, i + 2), values = texelFetch(tf_pieces, i + 3);
-  return TfPiece(texelFetch(tf_pieces, i), texelFetch(tf_pieces, i + 1), offsets.x, offsets.y, offsets.z, offsets.w,
-                 values.x, values.y, int(values.z), int(values.w), texelFetch(tf_pieces, i + 4),
-                 texelFetch(tf_pieces, i + 5));
+  vec4 place = texelFetch(tf_pieces, 4 * index + 2);
+  bool is_first = index == 0;
+  return TfPiece(texelFetch(tf_pieces, 4 * index), texelFetch(tf_pieces, 4 * index + 1), place.x,
+                 is_first ? -3.0e38 : 0.0, place.y, place.z, is_first ? -3.0e38 : place.x, place.w);
 }
+
+// The first surface at the level above a piece, and one past the last.
+ivec2 surfaces_above(int index) { return ivec2(texelFetch(tf_pieces, 4 * index + 3).xy); }
 
 // The piece that holds a value: at a level the one above it.
 int piece_at(float value) {
   int first = 0, last = tf_piece_count - 1;
   while (first < last) {
     int middle = (first + last) / 2;
-    if (texelFetch(tf_pieces, 6 * middle + 3).y <= value)
+    if (texelFetch(tf_pieces, 4 * middle + 2).w <= value)
       first = middle + 1;
     else
       last = middle;
@@ -46,19 +46,9 @@ float fraction_of(TfPiece piece, float offset) { return clamp(offset * piece.inv
 
 bool is_clear(TfPiece piece) { return piece.low.a == 0.0 && piece.rise.a == 0.0; }
 
-// -log(1 - opacity) at a fraction of a piece, by a polynomial (resources/tf_pieces_buffer.h): a logarithm takes five
-// times as long. Where it has none, since opacity comes near 1, is_steep.
+// -log(1 - opacity) at a fraction of a piece. 1 - opacity is taken from both ends, where it keeps its digits.
 float depth_in(TfPiece piece, float fraction) {
-  float x = 2.0 * fraction - 1.0, y = x * x;
-  vec4 even = piece.depth_even, odd = piece.depth_odd;
-  float by_opacity = even.x + y * (even.y + y * (even.z + y * even.w)) + x * (odd.x + y * (odd.y + y * (odd.z + y * odd.w)));
-  return (piece.low.a + piece.rise.a * fraction) * by_opacity;
-}
-
-bool is_steep(TfPiece piece) { return piece.depth_even.x == 0.0; }
-
-// The same where it is steep. Both ends' digits are kept.
-float steep_depth_in(TfPiece piece, float fraction) {
-  float clear_low = 1.0 - piece.low.a;
-  return -log(max(mix(clear_low, clear_low - piece.rise.a, fraction), 5.9604645e-8));
+  float opacity = piece.low.a + piece.rise.a * fraction;
+  float clear_low = 1.0 - piece.low.a, clear = mix(clear_low, clear_low - piece.rise.a, fraction);
+  return opacity < 0.01 ? depth_of(opacity) : -log(max(clear, 5.9604645e-8));
 }

@@ -134,7 +134,8 @@ std::vector<Race> races(const std::filesystem::path& fetch_loop) {
     list.push_back(analytic_race("haze", "noise?n=96", "smooth-haze", mode, 2.5));
     list.push_back(analytic_race("noise", "noise?n=96", "noisy-band", mode, 2.5));
     list.push_back(analytic_race("gyroid, four peaks", "gyroid?n=96", "four-peaks", mode, 2.5));
-    list.push_back(analytic_race("marschner-lobb, four peaks", "marschner-lobb?n=96", "four-peaks", mode, 2.5));
+    list.push_back(
+        analytic_race("marschner-lobb, four peaks", "marschner-lobb?n=96", "four-peaks", mode, 2.5));
     list.push_back(analytic_race("eight shells", "sphere?n=96", "onion", mode, 2.5));
     list.push_back(analytic_race("a spike", spike, "dirac-shell", mode, 1.2));
     list.push_back(analytic_race("vessels", "vessels?n=128", "vessels-shell", mode, 1.2));

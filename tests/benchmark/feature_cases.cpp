@@ -152,6 +152,7 @@ std::vector<FeatureCase> other_cases(const VolumePtr& volume) {
       {"filter_bspline", {with(split, &Rendering::filter, Filter::bspline)}, {split}},
       {"filter_bc", {with(split, &Rendering::filter, Filter::bc)}, {split}},
       {"filter_gradient", {with(shaded, &Rendering::gradient, Gradient::filter)}, {shaded}},
+      {"analytic", {with(split, &Rendering::classification, ClassificationMethod::analytic)}, {split}},
       {"preintegrated", {preintegrated}, {split}},
       {"preintegration_table", {in_table}, {with(preintegrated, &Rendering::placement, Placement::entry)}},
       {"clip_box", {with(split, &Rendering::clip_box, clip)}, {split}},

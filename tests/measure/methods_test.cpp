@@ -30,7 +30,7 @@ TEST(Methods, SetFieldsThatThereAre) {
     Preset preset;
     preset.rendering = measured_rendering(method, 0.125, {});
     preset.transfer_function = default_transfer_function();
-    EXPECT_EQ(preset.rendering.step, method.s_k_per_step > 0 ? Rendering{}.step : 0.125);
+    EXPECT_EQ(preset.rendering.step, method.s_k_per_step > 0 || !method.has_step ? Rendering{}.step : 0.125);
     EXPECT_EQ(preset.rendering.s_k, method.s_k_per_step > 0 ? 0.125 * method.s_k_per_step : Rendering{}.s_k);
     EXPECT_EQ(preset.rendering.s_k != Rendering{}.s_k, preset.rendering.sampling != Sampling::uniform);
     EXPECT_EQ(preset.rendering.unknown, "") << method.id;

@@ -72,5 +72,69 @@ TEST_F(Analytic, RandomScenesAreExact) {
   EXPECT_LE(wrong, 1e-4 * pixels);
 }
 
+/// A ball of label 3 in one of 2, in one of 1, in 0.
+std::shared_ptr<const Volume> labels() {
+  Grid grid{glm::ivec3(16), glm::dvec3(1, 1.2, 0.9), glm::dvec3(0)};
+  const glm::dvec3 middle = 0.5 * grid.box_size();
+  return make_volume(grid, [=](glm::dvec3 p) {
+    const double r = glm::length(p - middle);
+    return r < 2.5 ? 3.0 : r < 4.5 ? 2.0 : r < 6.5 ? 1.0 : 0.0;
+  });
+}
+
+/// A step to the opacity at each of the values, in colours of their own.
+TransferFunction steps_at(std::initializer_list<double> values, double opacity) {
+  TransferFunction tf = make_tf({point(-1, 0)}, 2);
+  double before = 0;
+  for (const double value : values) {
+    const glm::dvec3 color(0.2 + 0.2 * value, 1 - 0.3 * value, 0.5);
+    tf.points.push_back(point(value, before, color));
+    tf.points.push_back(point(value, opacity, color));
+    before = opacity / 3;
+    tf.points.push_back(point(value + 0.5, before, color));
+  }
+  return tf;
+}
+
+// Regions stay on values at which the TF has a step, or a surface lies: at the value itself the upper side
+// holds.
+TEST_F(Analytic, LabelsWithStepsAtTheirValues) {
+  for (const Mode mode : modes)
+    for (const auto& values : {std::initializer_list<double>{1}, {3}, {1, 2, 3}, {0, 3}}) {
+      Scene scene{labels(), steps_at(values, 0.4), {}};
+      scene.rendering.mode = mode;
+      for (ControlPoint& p : scene.tf.points)
+        if (p.opacity == 0.4) p.surface.mode = SurfaceMode::on;
+      const ImageError error = error_of(scene, whole_volume_camera(scene.volume->grid, 1), {48, 48});
+      const std::string what =
+          fmt::format("{}, {} steps from {}", name_of(mode), values.size(), *values.begin());
+      EXPECT_GT(error.compared.pixels + error.grazing.pixels, 40) << what;
+      EXPECT_EQ(error.compared.share, 0) << what;
+      EXPECT_EQ(error.grazing.share, 0) << what << ": " << error.grazing.pixels;
+      EXPECT_EQ(error.crossings->missed + error.crossings->invented, 0) << what;
+    }
+}
+
+// A spike is as exact when it is 1e-7 of the range wide as when it is 1e-1 (its depth is kept the same), also
+// at a large offset.
+TEST_F(Analytic, SpikesOfAnyWidth) {
+  for (const double offset : {0.0, 1e4})
+    for (const double width : {1e-1, 1e-3, 1e-5, 1e-7}) {
+      Grid grid{glm::ivec3(12), glm::dvec3(1), glm::dvec3(0)};
+      const auto volume = make_volume(grid, [=](glm::dvec3 p) {
+        return offset + 0.5 + 0.05 * std::sin(0.7 * p.x) * std::cos(0.5 * p.y) + 0.04 * p.z;
+      });
+      const double at = offset + 0.7;
+      Scene scene{volume,
+                  make_tf({point(at - width, 0), point(at, 0.95, {1, 0, 0}), point(at + width, 0, {0, 1, 0})},
+                          width * 20),
+                  {}};
+      scene.rendering.mode = Mode::dvr_only;
+      const ImageError error = error_of(scene, whole_volume_camera(grid, 1), {48, 48});
+      EXPECT_GT(error.compared.pixels, 200) << width;
+      EXPECT_EQ(error.compared.share, 0) << width << " " << offset << ": " << error.compared.max;
+    }
+}
+
 }  // namespace
 }  // namespace crest::testing

@@ -137,6 +137,26 @@ const std::vector<Rule> rules{
 
 }  // namespace
 
+Pairwise<Features> analytic_feature_table() {
+  const auto shown = [](const char* name, bool in_dvr, bool in_peaks) -> Value<Features> {
+    return {name, [=](Features& f) {
+              f.analytic = true;
+              f.dvr = in_dvr;
+              f.peaks = in_peaks;
+            }};
+  };
+  return {
+      {{"shown", {shown("DVR", true, false), shown("peaks", false, true), shown("both", true, true)}},
+       {"gradient",
+        {gradient("none", false, false), gradient("central", true, false), gradient("filter", true, true)}},
+       flag("early termination", &Features::early_termination),
+       flag("skipping", &Features::skipping),
+       flag("empty cells", &Features::empty_cells),
+       flag("long rays", &Features::long_rays),
+       flag("statistics", &Features::statistics)},
+      {}};
+}
+
 Pairwise<Features> feature_table() { return {parameters(), rules}; }
 
 }  // namespace crest::testing

@@ -9,4 +9,7 @@ namespace crest::testing {
 /// find_need (render/raycaster/need.h), which never asks for anything else where something is sampled.
 Pairwise<Features> feature_table();
 
+/// The same of those that solve rays from cell to cell.
+Pairwise<Features> analytic_feature_table();
+
 }  // namespace crest::testing

@@ -126,7 +126,7 @@ Rendering random_rendering(Dice& dice, const Grid& grid) {
   if (dice.one_in(3)) rendering.clip_box = random_clip_box(dice, grid);
   rendering.classification =
       dice.pick({ClassificationMethod::post, ClassificationMethod::post, ClassificationMethod::preintegrated,
-                 ClassificationMethod::preintegrated_table});
+                 ClassificationMethod::preintegrated_table, ClassificationMethod::analytic});
   rendering.preintegration_bins = dice.pick({2, 64});
   if (!why_inconsistent(rendering).empty()) rendering.classification = ClassificationMethod::preintegrated;
   return rendering;

@@ -31,17 +31,21 @@ TEST(PairwiseChoices, HoldEachPairThatARuleLeavesAndNoOther) {
   }
 }
 
-TEST_F(Variants, EveryPairOfFeaturesThatGoTogetherCompiles) {
-  const auto table = feature_table();
+void expect_all_pairs_compile(const Pairwise<Features>& table) {
   const std::vector<Choice> choices = table.choices();
   for (const auto& pair : table.valid_pairs())
     EXPECT_TRUE(std::ranges::any_of(choices, [&](const Choice& c) { return table.holds(c, pair); }));
   for (const Choice& choice : choices) {
     EXPECT_TRUE(table.is_allowed(choice)) << table.describe(choice);
-    EXPECT_NO_THROW(gl::build_fullscreen_program("raycaster.frag", shader_defines(table.subject(choice))))
+    const Features features = table.subject(choice);
+    EXPECT_NO_THROW(gl::build_fullscreen_program(fragment_shader(features), shader_defines(features)))
         << table.describe(choice);
   }
-  RecordProperty("variants", int(choices.size()));
+}
+
+TEST_F(Variants, EveryPairOfFeaturesThatGoTogetherCompiles) {
+  expect_all_pairs_compile(feature_table());
+  expect_all_pairs_compile(analytic_feature_table());
 }
 
 // Where nothing is sampled, rays that meet the box are counted.
@@ -53,8 +57,8 @@ TEST_F(Variants, CountingAloneCompiles) {
 
 // The table's rules are those of find_need: no scene asks for what they leave out.
 TEST_F(Variants, AreAllThatScenesAskFor) {
-  const auto table = feature_table();
-  int sampled = 0;
+  const auto sampling = feature_table(), solving = analytic_feature_table();
+  int sampled = 0, solved = 0;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     View view = random_view(seed);
     view.scene.rendering.blend_mode = BlendMode(seed / 4 % 6);
@@ -68,13 +72,15 @@ TEST_F(Variants, AreAllThatScenesAskFor) {
       continue;  // too many steps
     }
     if (!features.dvr && !features.peaks) continue;
-    ++sampled;
+    ++(features.analytic ? solved : sampled);
+    const auto& table = features.analytic ? solving : sampling;
     features.base_tf = features.clip_box = false;  // no define
     const Choice choice = table.choice_of(features);
     EXPECT_EQ(std::ranges::count(choice, -1), 0) << table.describe(choice);
     EXPECT_TRUE(table.is_allowed(choice)) << table.describe(choice);
   }
   EXPECT_GT(sampled, 500);
+  EXPECT_GT(solved, 50);
 }
 
 }  // namespace

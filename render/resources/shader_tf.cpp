@@ -1,8 +1,7 @@
-#include "render/resources/tf_pieces.h"
+#include "render/resources/shader_tf.h"
 
-#include <cmath>
+#include <algorithm>
 #include <glm/common.hpp>
-#include <numbers>
 
 #include "render/reference/levels.h"
 
@@ -19,30 +18,23 @@ struct Part {
   glm::dvec4 low, high;  ///< colour and opacity
 };
 
-bool is_steep(double opacity_low, double opacity_high) {
-  const double a = 1 - opacity_low, b = 1 - opacity_high;
-  return std::max(a, b) > steepest * std::min(a, b);
-}
+/// Where pieces are cut, as transparencies 1 - opacity.
+constexpr double cuts[] = {0x1p-4, 0x1p-10, 0x1p-17};
 
-TfPiece gpu_piece(const Part& part) {
-  TfPiece piece{};
+ShaderTfPiece gpu_piece(const Part& part) {
+  ShaderTfPiece piece{};
   piece.low = part.low;
   piece.rise = part.high - part.low;
-  piece.low_value = part.has_low ? float(part.low_value) : -none;
   piece.high_value = part.has_high ? float(part.high_value) : none;
-  piece.base = part.has_low ? piece.low_value : part.has_high ? piece.high_value : 0;
-  piece.least = part.has_low ? 0 : -none;
+  piece.base = part.has_low ? float(part.low_value) : part.has_high ? piece.high_value : 0;
   piece.most = !part.has_high ? none : part.has_low ? float(part.width) : 0;
   piece.inverse_width = part.has_low && part.has_high ? float(1 / part.width) : 0;
-  if (!is_steep(part.low.a, part.high.a)) piece.depth = depth_polynomial(part.low.a, part.high.a);
   return piece;
 }
 
-/// In two where it is steep: at 1 - opacity = 1/steepest of what it is at the clearer end.
-void add_part(std::vector<TfPiece>& pieces, const Part& part) {
-  if (!is_steep(part.low.a, part.high.a)) return pieces.push_back(gpu_piece(part));
+/// The part below and the part above the place where the transparency is `clear`.
+std::pair<Part, Part> cut(const Part& part, double clear) {
   const double clear_low = 1 - part.low.a, clear_high = 1 - part.high.a;
-  const double clear = std::max(clear_low, clear_high) / steepest;
   const double at = (clear_low - clear) / (clear_low - clear_high);
   Part below = part, above = part;
   below.width = part.width * at;
@@ -51,15 +43,26 @@ void add_part(std::vector<TfPiece>& pieces, const Part& part) {
   below.has_high = above.has_low = true;
   below.high = above.low = glm::mix(part.low, part.high, at);
   below.high.a = above.low.a = 1 - clear;
-  pieces.push_back(gpu_piece(below));
-  pieces.push_back(gpu_piece(above));
+  return {below, above};
+}
+
+void add_part(std::vector<ShaderTfPiece>& pieces, const Part& part) {
+  for (const double clear : cuts) {
+    if (!(std::max(1 - part.low.a, 1 - part.high.a) > clear &&
+          std::min(1 - part.low.a, 1 - part.high.a) < clear))
+      continue;
+    const auto [below, above] = cut(part, clear);
+    add_part(pieces, below);
+    return add_part(pieces, above);
+  }
+  pieces.push_back(gpu_piece(part));
 }
 
 }  // namespace
 
-TfPieces build_tf_pieces(const TransferFunction& tf, const std::vector<Peak>& surfaces, double smallest_spacing) {
+ShaderTf shader_tf(const TransferFunction& tf, const std::vector<Peak>& surfaces, double smallest_spacing) {
   const Levels levels = reference::make_levels<double>(tf, surfaces, smallest_spacing);
-  TfPieces result;
+  ShaderTf result;
   result.extinction_scale = float(levels.extinction_scale);
   for (std::size_t i = 0; i < levels.pieces.size(); ++i) {
     const auto& linear = levels.pieces[i];
@@ -77,27 +80,6 @@ TfPieces build_tf_pieces(const TransferFunction& tf, const std::vector<Peak>& su
     result.pieces.back().past_surface = float(above->past_surface);
   }
   return result;
-}
-
-std::array<float, 8> depth_polynomial(double opacity_low, double opacity_high) {
-  constexpr std::size_t n = 8;
-  double chebyshev[n] = {};  // coefficients of T_k
-  for (std::size_t i = 0; i < n; ++i) {
-    const double angle = std::numbers::pi * (double(i) + 0.5) / n;
-    const double a = std::lerp(opacity_low, opacity_high, 0.5 + 0.5 * std::cos(angle));
-    const double value = a < 1e-8 ? 1 + a / 2 : -std::log1p(-a) / a;
-    for (std::size_t k = 0; k < n; ++k) chebyshev[k] += (k == 0 ? 1.0 : 2.0) / n * value * std::cos(double(k) * angle);
-  }
-  double sum[n] = {}, before[n] = {1}, now[n] = {0, 1};  // T_0 and T_1 by powers of x
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t j = 0; j < n; ++j) sum[j] += chebyshev[k] * before[j];
-    double next[n];
-    for (std::size_t j = 0; j < n; ++j) next[j] = (j > 0 ? 2 * now[j - 1] : 0) - before[j];
-    std::copy(now, now + n, before);
-    std::copy(next, next + n, now);
-  }
-  return {float(sum[0]), float(sum[2]), float(sum[4]), float(sum[6]),
-          float(sum[1]), float(sum[3]), float(sum[5]), float(sum[7])};
 }
 
 }  // namespace crest
