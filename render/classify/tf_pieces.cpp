@@ -56,7 +56,13 @@ ValueRange changing_range(const std::vector<TfPiece>& pieces) {
 
 ValueRange table_range(const std::vector<TfPiece>& pieces) {
   ValueRange range = changing_range(pieces);
-  if (range.width() > 0) return {float_below(range.min), float_above(range.max)};
+  if (range.width() > 0) {
+    // What holds below a first step, and what holds at it, are two entries
+    const auto first = std::ranges::find(pieces, range.min, &TfPiece::from);
+    if (is_step(pieces, std::size_t(first - pieces.begin())))
+      range.min -= std::exp2(std::floor(std::log2(range.width() / 4096)));
+    return {float_below(range.min), float_above(range.max)};
+  }
   // No change, or a single step: it lies between the floats around it, and the table is exact
   const double size = std::max(std::abs(range.min), pieces.back().to - pieces.front().from);
   const float end = float_above(range.max);
