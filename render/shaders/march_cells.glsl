@@ -51,11 +51,13 @@ void find_piece(inout March m) {
 #define MAY_BE_EMPTY false
 #endif
 
-// Whether nothing is to be done in the cell: the field stays in one piece of the TF, which shows nothing.
-bool shows_nothing(March m) {
+// Whether the field stays in one piece of the TF all through the cell.
+bool stays_in_piece(March m) {
   vec2 range = range_of(m.corners);
-  return is_clear(m.piece) && range.x > m.piece.low_value && range.y < m.piece.high_value && !MAY_BE_EMPTY;
+  return range.x > m.piece.low_value && range.y < m.piece.high_value;
 }
+
+bool shows_nothing(March m) { return is_clear(m.piece) && stays_in_piece(m) && !MAY_BE_EMPTY; }
 
 // To the next cell, with its corners.
 void enter_next_cell(inout March m) {
@@ -71,7 +73,7 @@ void march_part(Ray ray, inout March m) {
   CellExit leave = exit_of(m.walk);
   vec3 from = entry_place(m.walk), to = exit_place(m.walk, leave);
   vec3 whole = rise_along(m.corners, from, to);
-  vec2 turns = turns_of(whole);
+  vec2 turns = stays_in_piece(m) ? vec2(1.0) : turns_of(whole);
   float length = leave.t - m.walk.t;
   if (m.s == 0.0) m.offset = offset_in(m.piece, value_at(m.corners, from));
   float end = m.s < turns.x ? turns.x : m.s < turns.y ? turns.y : 1.0;
