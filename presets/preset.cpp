@@ -7,6 +7,12 @@
 
 namespace crest {
 
+Rendering with_trilinear_filters(Rendering rendering) {
+  if (!is_trilinear(rendering.filter)) rendering.filter = Filter::linear;
+  if (rendering.root_filter && !is_trilinear(*rendering.root_filter)) rendering.root_filter.reset();
+  return rendering;
+}
+
 std::string why_inconsistent(const Rendering& rendering) {
   if (is_analytic(rendering.classification))
     for (const auto& [field, filter] :

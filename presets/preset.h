@@ -90,6 +90,10 @@ struct Rendering {
   bool operator==(const Rendering&) const = default;
 };
 
+/// The setting with `linear` in place of filters that make no trilinear field: what analytic classification
+/// takes.
+Rendering with_trilinear_filters(Rendering rendering);
+
 /// Why these settings do not go together, and what would; empty where they do. Files are refused for it.
 std::string why_inconsistent(const Rendering& rendering);
 

@@ -53,7 +53,8 @@ PictureNeed Renderer::need(const Scene& scene, const Camera& camera, glm::ivec2 
   if (is_drawn_by_vdls(scene)) return vdls_.need(scene, size);
   const Need need = raycaster_.need(scene, camera, size, false);
   PictureNeed result{need.list, gpu_data(need, *scene.volume, classification(scene)), {}};
-  if (need.features.dvr && !need.features.preintegrated) result.tf_error = need.tf_table.error;
+  if (need.features.dvr && !need.features.preintegrated && !need.features.analytic)
+    result.tf_error = need.tf_table.error;
   return result;
 }
 

@@ -74,8 +74,7 @@ bool reconcile(Rendering& r, bool classification_was_chosen) {
   if (why_inconsistent(r).empty()) return false;
   if (is_analytic(r.classification)) {
     if (classification_was_chosen) {
-      r.filter = Filter::linear;
-      r.root_filter.reset();
+      r = with_trilinear_filters(r);
     } else {
       r.classification = ClassificationMethod::post;
     }
@@ -186,7 +185,9 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
       "the TF's "
       "antiderivatives between the values at the step's ends\npreintegrated_table - a table of both values; "
       "it holds "
-      "one step length, so it takes uniform sampling from the entry");
+      "one step length, so it takes uniform sampling from the entry\nanalytic - no steps: exact from cell to "
+      "cell, of trilinear fields; step, placement, sampling, adaptive, peak form and the peak table have no "
+      "part in it");
   const bool classified = choice(widgets, "##classification", r.classification, field);
   if (holds_one_length(r.classification)) {
     row("Table bins, DVR", "Bins of the pre-integration table on each axis");

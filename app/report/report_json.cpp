@@ -178,7 +178,8 @@ std::string report_csv(const Report& report) {
   text += "\n";
   for (const Measurement& m : report.points)
     for (const auto& [answer, error] : m.errors) {
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{}", m.method, m.step, name_of(answer), m.frame_ms,
+      const std::string step = m.step > 0 ? fmt::format("{}", m.step) : "";
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{}", m.method, step, name_of(answer), m.frame_ms,
                           m.device_ms, m.samples_per_ray, m.dvr_samples_per_ray, m.crossings_per_ray,
                           error.compared.pixels, error.grazing.pixels);
       for (const ErrorMeasure& measure : error_measures()) text += fmt::format(",{}", measure.value(error));

@@ -92,7 +92,7 @@ Demands demands_of(const std::vector<TfPiece>& pieces, double spacing, double lo
       demands.largest_step = std::max(demands.largest_step, step);
       take_feature({piece.from, piece.from}, step);
     }
-    if (piece.from < changing.min || piece.to > changing.max) continue;
+    if (piece.from < changing.min || piece.to > changing.max || !(piece.width() > 0)) continue;
     const Local begin = local_at(piece, piece.begin, spacing), end = local_at(piece, piece.end, spacing);
     take(begin);
     take(end);
@@ -106,9 +106,9 @@ Demands demands_of(const std::vector<TfPiece>& pieces, double spacing, double lo
   return demands;
 }
 
-/// So many entries, or somewhat fewer, that each step lies on one, if there is such a number, and so that a
-/// shader's arithmetic finds it without rounding: a region that stays on the step's value then shows what the
-/// TF has there, as labels do.
+/// So many entries, or somewhat fewer, that each step lies on one, if there is such a number: a region that
+/// stays on the step's value, as labels do, then shows what the TF has there, to a thousandth of an entry.
+/// Steps a power of two apart from the first, as those at whole numbers are, have one.
 int with_steps_on_entries(const std::vector<TfPiece>& pieces, int entries) {
   const ValueRange range = table_range(pieces);
   const auto is_whole = [](double x) { return x == std::floor(x); };
@@ -138,13 +138,13 @@ TfTableSize tf_table_size(const TransferFunction& tf, ValueRange field, double s
   TfTableSize size;
   constexpr int most = largest_tf_table;
   size.entries = width < (most - 1) * entry ? std::max(2, 1 + int(std::ceil(width / entry))) : most;
+  if (demands.largest_step > 0) size.entries = with_steps_on_entries(pieces, size.entries);
+  const bool is_largest = demands.largest_step > 0 || size.entries == most;
   entry = width / (size.entries - 1);
   size.error = std::max({most_bend_within(demands.corners, entry) * entry / 4,
                          demands.curvature * entry * entry / 8, demands.largest_step});
   size.error = std::min(size.error, demands.largest_opacity);
-  if (size.entries == most && demands.narrowest && demands.narrowest->width() < entry)
-    size.blurred = demands.narrowest;
-  if (demands.largest_step > 0) size.entries = with_steps_on_entries(pieces, size.entries);
+  if (is_largest && demands.narrowest && demands.narrowest->width() < entry) size.blurred = demands.narrowest;
   return size;
 }
 

@@ -20,8 +20,7 @@ constexpr Method table[] = {
     {"dvr-pre", "DVR, pre-integrated", "mode=DVR_ONLY classification=preintegrated"},
     {"dvr-pre-table", "DVR, pre-integrated, table of two values",
      "mode=DVR_ONLY classification=preintegrated_table placement=entry"},
-    {"dvr-analytic", "DVR, cell by cell",
-     "mode=DVR_ONLY filter=linear_exact root_filter=linear_exact classification=analytic", false},
+    {"dvr-analytic", "DVR, cell by cell", "mode=DVR_ONLY classification=analytic", false},
     {"dvr-linear-exact", "DVR, trilinear in float", "mode=DVR_ONLY filter=linear_exact"},
     {"dvr-bspline", "DVR, cubic B-spline", "mode=DVR_ONLY filter=bspline"},
     {"dvr-bc", "DVR, cubic filter of Mitchell and Netravali", "mode=DVR_ONLY filter=bc"},
@@ -32,16 +31,14 @@ constexpr Method table[] = {
     {"dvr-vdls", "DVR, view-dependent layer sampling", "mode=DVR_ONLY engine=vdls"},
     {"peaks", "Peaks alone, divided steps", "mode=PEAK_ONLY peak_form=split"},
     {"peaks-paper", "Peaks alone, as published", "mode=PEAK_ONLY peak_form=paper"},
-    {"peaks-analytic", "Peaks alone, cell by cell",
-     "mode=PEAK_ONLY filter=linear_exact root_filter=linear_exact classification=analytic", false},
+    {"peaks-analytic", "Peaks alone, cell by cell", "mode=PEAK_ONLY classification=analytic", false},
     {"xor", "Peaks and base TF, divided steps", "mode=PEAK_XOR_DVR peak_form=split"},
     {"xor-paper", "Peaks or samples, as published", "mode=PEAK_XOR_DVR peak_form=paper"},
     {"xor-pre", "Peaks and base TF, divided steps, pre-integrated",
      "mode=PEAK_XOR_DVR peak_form=split classification=preintegrated"},
     {"xor-pre-table", "Peaks and base TF, divided steps, table of two values",
      "mode=PEAK_XOR_DVR peak_form=split classification=preintegrated_table placement=entry"},
-    {"xor-analytic", "Peaks and base TF, cell by cell",
-     "mode=PEAK_XOR_DVR filter=linear_exact root_filter=linear_exact classification=analytic", false},
+    {"xor-analytic", "Peaks and base TF, cell by cell", "mode=PEAK_XOR_DVR classification=analytic", false},
     {"xor-linear-exact", "Peaks and base TF, trilinear in float",
      "mode=PEAK_XOR_DVR peak_form=split filter=linear_exact root_filter=linear_exact"},
     {"xor-bspline", "Peaks and base TF, cubic B-spline",
@@ -58,8 +55,7 @@ constexpr Method table[] = {
     {"both", "Peaks and DVR, divided steps", "mode=both peak_form=split"},
     {"both-pre", "Peaks and DVR, divided steps, pre-integrated",
      "mode=both peak_form=split classification=preintegrated"},
-    {"both-analytic", "Peaks and DVR, cell by cell",
-     "mode=both filter=linear_exact root_filter=linear_exact classification=analytic", false},
+    {"both-analytic", "Peaks and DVR, cell by cell", "mode=both classification=analytic", false},
     {"both-paper", "Peaks and DVR, as published", "mode=both peak_form=paper"},
 };
 
@@ -113,6 +109,8 @@ Rendering measured_rendering(const Method& method, double step, const Rendering&
   preset.rendering.peak_bins = scene.peak_bins;
   preset.rendering.preintegration_bins = scene.preintegration_bins;
   preset.transfer_function = default_transfer_function();  // a preset has one
+  if (method.settings.find("analytic") != std::string_view::npos)
+    preset.rendering = with_trilinear_filters(preset.rendering);
   for (const std::string_view word : words_of(method.settings))
     preset = set_field(preset, fmt::format("rendering.{}", word));
   if (method.s_k_per_step > 0)

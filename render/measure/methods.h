@@ -32,7 +32,7 @@ const Method* find_method(std::string_view id);
 /// The settings with which a method is measured in a scene: the method's own; of the scene's, the filters
 /// that it does not set, clip box, background, max_peaks, the tables' bins and how vdls works; everything
 /// else as it is by default. So shading, which has no exact answer, and early termination, which adds an
-/// error of its own, are off.
+/// error of its own, are off. Filters that a method cannot take are `linear`.
 Rendering measured_rendering(const Method& method, double step, const Rendering& scene);
 
 /// The setting with another one's filters for DVR and surfaces.

@@ -117,7 +117,8 @@ void bind_tf_pieces(const Binding& b) {
   if (b.need.needed.dvr)
     tf = b.units.stored(b.need.features.base_tf ? b.classification.base : b.classification.tf);
   if (b.need.needed.peaks) surfaces = b.units.stored(b.classification.surfaces);
-  const ShaderTfTexture& pieces = shader_tf_texture(b.held, tf, surfaces, b.spacing);
+  const ShaderTfTexture& pieces =
+      shader_tf_texture(b.held, tf, surfaces, b.units.stored(b.scene.volume->statistics.range), b.spacing);
   bind_texture(b, tf_unit, "tf_pieces", pieces.texture.id());
   set(b.program, "tf_piece_count", pieces.count);
   set(b.program, "extinction_scale", pieces.extinction_scale);

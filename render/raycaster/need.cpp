@@ -13,7 +13,6 @@
 #include "render/resources/shader_tf.h"
 #include "render/scene/view.h"
 #include "render/shader_inputs/blend_mode.h"
-#include "render/volume/largest_change.h"
 #include "render/volume/macrocells.h"
 
 namespace crest {
@@ -23,22 +22,16 @@ namespace {
 constexpr int most_loop_rounds = 60000;
 
 int intervals_of(const SceneFacts& s, const Features& features) {
-  if (features.analytic) return int(std::ceil(s.longest_ray)) + 1;
+  if (features.analytic) return int(std::min(std::ceil(s.longest_ray) + 1, 2e9));
   return int(std::min(s.steps.most + 2.0 * s.spans(features), 2e9));
 }
 
-/// In one smallest spacing a ray is in three cells at most, in each of which it turns at most twice and meets
-/// the levels within reach of the field; a root takes some rounds more.
+/// In a smallest spacing of its length a ray is in up to four cells, on average in no more than two; in each
+/// it turns at most twice and meets levels, few of them on average. (Where it met more all along, a driver
+/// that ends long loops would cut it off.)
 int rounds_in_a_spacing(const SceneFacts& s) {
-  const double diagonal = glm::length(s.grid.spacing);
-  const double reach = largest_change(s.grid, s.statistics, root_filter(s.rendering), diagonal);
-  int most_levels = int(s.surfaces().size());
-  const auto& points = s.classification.tf.points;
-  for (std::size_t first = 0, past = 0; first < points.size(); ++first) {
-    while (past < points.size() && points[past].value <= points[first].value + reach) ++past;
-    most_levels = std::max(most_levels, int(past - first));
-  }
-  return 3 * (4 + 4 * most_levels);
+  const std::size_t levels = s.surfaces().size() + s.classification.tf.points.size();
+  return 2 * (4 + int(std::min<std::size_t>(levels, 16)));
 }
 
 int intervals_per_pass(const SceneFacts& s, const Features& features) {
@@ -312,8 +305,10 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
   if (f.analytic) {
     const auto& tf = f.base_tf ? classification.base : classification.tf;
     const auto surfaces = need.needed.peaks ? classification.surfaces : std::vector<Peak>();
-    const std::size_t count = shader_tf(need.needed.dvr ? tf : TransferFunction{}, surfaces, 1).pieces.size();
-    add("tf_pieces", fmt::format("{}", count), count * sizeof(ShaderTfPiece));
+    const std::size_t count =
+        shader_tf(need.needed.dvr ? tf : TransferFunction{}, surfaces, volume.statistics.range, 1)
+            .pieces.size();
+    add("tf_pieces", fmt::format("{} pieces", count), count * sizeof(ShaderTfPiece));
   } else if (f.preintegration_table)
     add("preintegration_table", fmt::format("{0}x{0} bins", need.preintegration_bins),
         std::size_t(need.preintegration_bins) * std::size_t(need.preintegration_bins) * 4 * sizeof(float));

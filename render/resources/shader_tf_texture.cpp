@@ -14,6 +14,7 @@ static_assert(sizeof(ShaderTfPiece) == texels_of_piece * sizeof(glm::vec4));
 struct ShaderTfKey {
   TransferFunction tf;
   std::vector<Peak> surfaces;
+  ValueRange field;
   double smallest_spacing;
   bool operator==(const ShaderTfKey&) const = default;
 };
@@ -39,10 +40,11 @@ ShaderTfTexture upload(const ShaderTf& pieces) {
 }  // namespace
 
 const ShaderTfTexture& shader_tf_texture(KeyedCache& held, const TransferFunction& tf,
-                                         const std::vector<Peak>& surfaces, double smallest_spacing) {
-  const std::size_t most_pieces = 4 * tf.points.size() + surfaces.size() + 1;
-  return held.get(ShaderTfKey{tf, surfaces, smallest_spacing}, most_pieces * sizeof(ShaderTfPiece),
-                  [&] { return upload(shader_tf(tf, surfaces, smallest_spacing)); });
+                                         const std::vector<Peak>& surfaces, ValueRange field,
+                                         double smallest_spacing) {
+  const std::size_t most_pieces = 6 * tf.points.size() + surfaces.size() + 1;
+  return held.get(ShaderTfKey{tf, surfaces, field, smallest_spacing}, most_pieces * sizeof(ShaderTfPiece),
+                  [&] { return upload(shader_tf(tf, surfaces, field, smallest_spacing)); });
 }
 
 }  // namespace crest

@@ -14,8 +14,9 @@ struct ShaderTfTexture {
   float extinction_scale = 1;
 };
 
-/// As shader_tf_pieces. Throws Error for more than the driver holds.
+/// As shader_tf. Throws Error for more than the driver holds.
 const ShaderTfTexture& shader_tf_texture(KeyedCache& held, const TransferFunction& tf,
-                                         const std::vector<Peak>& surfaces, double smallest_spacing);
+                                         const std::vector<Peak>& surfaces, ValueRange field,
+                                         double smallest_spacing);
 
 }  // namespace crest

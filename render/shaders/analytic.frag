@@ -19,7 +19,7 @@ uniform float least_residual;
 #elif STATISTICS
 #define TERMINATED false  // crossings behind what is opaque are counted
 #else
-#define TERMINATED (transmittance <= 0.0)
+#define TERMINATED (transmittance < 1.0e-9)  // nothing behind shows
 #endif
 
 #include "march_cells.glsl"
@@ -49,10 +49,12 @@ void main() {
     counts.w |= 0x80000000u;
 #endif
 #if LONG_RAYS
-    float begin = span.enter + float(first_interval);
-    span = Span(begin, min(span.exit, begin + float(interval_count)));
+    precise float begin = span.enter + float(first_interval), end = span.enter + float(first_interval + interval_count);
+    span = Span(begin, min(span.exit, end));
 #endif
+#if DVR || PEAKS
     if (span.enter < span.exit) march_span(ray, span);
+#endif
   }
   out_color = collected;
 #if STATISTICS

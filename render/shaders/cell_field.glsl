@@ -2,6 +2,7 @@
 // (Marmitt et al. 2004).
 
 #include "cell_walk.glsl"
+#include "field.glsl"
 
 struct CellCorners {
   vec4 low, high;  // at x = 0 and x = 1: of (y, z) = (0, 0), (1, 0), (0, 1), (1, 1)

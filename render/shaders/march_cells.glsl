@@ -31,8 +31,8 @@ void composite_surfaces(Ray ray, int first, int past, bool rising, float t) {
 struct March {
   CellWalk walk;
   CellCorners corners;
-  float s;       // the share of the cell that lies behind
-  float offset;  // of the field's value in the piece
+  float s;          // the share of the cell that lies behind; 2 when it is done with
+  Offsets offsets;  // of the field's value there
   int index;
   TfPiece piece;
   bool is_first;  // nothing lies before: a level that the ray begins on is not crossed
@@ -54,7 +54,7 @@ void find_piece(inout March m) {
 // Whether the field stays in one piece of the TF all through the cell.
 bool stays_in_piece(March m) {
   vec2 range = range_of(m.corners);
-  return range.x > m.piece.low_value && range.y < m.piece.high_value;
+  return range.x > m.piece.low_value.x && range.y < m.piece.high_value.x;
 }
 
 bool shows_nothing(March m) { return is_clear(m.piece) && stays_in_piece(m) && !MAY_BE_EMPTY; }
@@ -62,8 +62,9 @@ bool shows_nothing(March m) { return is_clear(m.piece) && stays_in_piece(m) && !
 // To the next cell, with its corners.
 void enter_next_cell(inout March m) {
   COUNT_SAMPLE;
-  m.is_first = false;
-  m.more = advance(m.walk, exit_of(m.walk));
+  CellExit leave = exit_of(m.walk);
+  m.is_first = m.is_first && !(leave.t > m.walk.t);
+  m.more = advance(m.walk, leave);
   if (m.more) m.corners = next_corners(m.walk, m.corners);
   m.s = 0.0;
 }
@@ -75,14 +76,22 @@ void march_part(Ray ray, inout March m) {
   vec3 whole = rise_along(m.corners, from, to);
   vec2 turns = stays_in_piece(m) ? vec2(1.0) : turns_of(whole);
   float length = leave.t - m.walk.t;
-  if (m.s == 0.0) m.offset = offset_in(m.piece, value_at(m.corners, from));
+  if (m.s == 0.0) m.offsets = offsets_in(m.piece, value_at(m.corners, from));
+  Offsets begin = m.offsets;
   float end = m.s < turns.x ? turns.x : m.s < turns.y ? turns.y : 1.0;
-  CellPart part = CellPart(rise_from(whole, m.s), end - m.s, m.offset, 0.0, m.walk.t + m.s * length, 0.0);
-  part.rise = end == 1.0 ? offset_in(m.piece, value_at(m.corners, to)) - m.offset : rise_at(part.p, part.size);
-  bool up = part.rise >= 0.0;
-  float target = (up ? m.piece.most : m.piece.least) - m.offset;
-  bool meets = up ? part.rise > target || (part.rise == 0.0 && target == 0.0) : part.rise < target;
+  CellPart part = CellPart(rise_from(whole, m.s), end - m.s, begin.above_low, 0.0, m.walk.t + m.s * length, 0.0);
+  part.rise = rise_at(part.p, part.size);
+  Offsets ending = Offsets(begin.above_low + part.rise, begin.below_high - part.rise);
+  if (end == 1.0) {  // the value on the face is that of both cells
+    ending = offsets_in(m.piece, value_at(m.corners, to));
+    part.rise = begin.below_high < begin.above_low ? begin.below_high - ending.below_high
+                                                   : ending.above_low - begin.above_low;
+  }
+  // A level is met if the field goes beyond it, or if it stays on the upper one
+  bool up = part.rise >= 0.0, stays = part.rise == 0.0 && begin.below_high == 0.0 && length > 0.0;
+  bool meets = up ? ending.below_high < 0.0 || stays : ending.above_low < 0.0;
   if (meets) {
+    float target = up ? begin.below_high : -begin.above_low;
     part.size = solve_rise(part.p, target, part.size, part.rise);
     part.rise = target;
   }
@@ -90,19 +99,18 @@ void march_part(Ray ray, inout March m) {
 #if DVR
   composite_part(ray, m.piece, part);
 #endif
-  m.is_first = m.is_first && part.size == 0.0;
-  m.s = meets ? m.s + part.size : end;
-  m.offset += part.rise;
+  m.is_first = m.is_first && !(part.length > 0.0);
+  m.s = meets ? m.s + part.size : end < 1.0 ? end : 2.0;
+  m.offsets = ending;
   if (meets) {
     m.index += up ? 1 : -1;
     m.piece = tf_piece(m.index);
-    m.offset = up ? m.piece.least : m.piece.most;
+    m.offsets = up ? Offsets(0.0, m.piece.width) : Offsets(m.piece.width, 0.0);
 #if PEAKS
     ivec2 crossed = surfaces_above(up ? m.index - 1 : m.index);
     composite_surfaces(ray, crossed.x, m.is_first ? crossed.x : crossed.y, up, m.walk.t + m.s * length);
 #endif
   }
-  if (!meets && end == 1.0) m.s = 2.0;  // done
 }
 
 // Mesa 22.3's llvmpipe takes a value that a loop has computed from the last lane that leaves the loop, unless it leaves at
@@ -115,7 +123,8 @@ void march_cells(Ray ray, Span span) {
   March m;
   m.walk = begin_cell_walk(ray, span);
   m.corners = corners_of(m.walk);
-  m.s = m.offset = 0.0;
+  m.s = 0.0;
+  m.offsets = Offsets(0.0, 0.0);
   m.more = true;
   find_piece(m);
   int most_cells = m.walk.cells.x + m.walk.cells.y + m.walk.cells.z;

@@ -3,7 +3,6 @@
 #include "field.glsl"
 #include "surfaces.glsl"
 
-
 // A place on the ray where the field's value is known.
 struct Knot {
   float t, value;

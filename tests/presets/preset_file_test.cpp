@@ -228,6 +228,13 @@ TEST(ParsePreset, RefusesWrongFieldsWithTheirPath) {
 // Each of these fields is right by itself. Set one by one, they only have to fit in the end.
 TEST(ParsePreset, RefusesSettingsThatDoNotGoTogether) {
   json spoiled = sample();
+  spoiled["rendering"] = {{"classification", "analytic"}, {"root_filter", "bspline"}};
+  EXPECT_EQ(error_of(spoiled.dump()),
+            "FILE: rendering.root_filter: classification analytic solves trilinear fields, of the filters "
+            "linear and "
+            "linear_exact; bspline is sampled, by classification preintegrated or post");
+  spoiled["rendering"]["root_filter"] = "linear_exact";
+  EXPECT_EQ(why_inconsistent(parse_preset(spoiled.dump(), "FILE").rendering), "");
   spoiled["rendering"] = {{"classification", "preintegrated_table"}};
   EXPECT_EQ(
       error_of(spoiled.dump()),

@@ -43,7 +43,7 @@ inline Preset random_preset(std::mt19937& random) {
   rendering.max_peaks = 1 + int(random() % 64);
   rendering.peak_bins = random() % 2 ? 128 : 1 + int(random() % 4096);
   rendering.placement = Placement(random() % 4);
-  rendering.classification = ClassificationMethod(random() % 3);
+  rendering.classification = ClassificationMethod(random() % 4);
   rendering.preintegration_bins = 2 + int(random() % 2047);
   rendering.sampling = Sampling(random() % 3);
   rendering.s_k = random() % 2 ? 4 : unit(random) + 0.001;
@@ -59,6 +59,7 @@ inline Preset random_preset(std::mt19937& random) {
                       1 + int(random() % 64), bool(random() % 2),  bool(random() % 2)};
   rendering.filter = Filter(random() % 4);
   if (random() % 2) rendering.root_filter = Filter(random() % 4);
+  if (!why_inconsistent(rendering).empty()) rendering = with_trilinear_filters(rendering);
   rendering.bc_b = unit(random) * 2;
   rendering.bc_c = unit(random) - 0.5;
   rendering.gradient = Gradient(random() % 2);
