@@ -12,8 +12,8 @@ struct CellPart {
   float t, length;  // where it begins on the ray, and how long it is
 };
 
-// Composites `size` of a ray with this depth in all, and the light of a fraction of the piece. Light from further back is
-// absorbed on the way: where the fraction goes from p0 to p1, what comes through is from nearer by
+// Composites a panel of this depth, with the light of a fraction of the piece. Light from further back is absorbed on the
+// way: where the fraction goes from p0 to p1, what comes through is from nearer by
 // 1/2 - (1/depth - 1/(exp(depth) - 1)) of the way, here to 0.03.
 void composite_depth(TfPiece piece, float depth, float fraction, float p0, float p1, float light) {
   fraction -= (p1 - p0) * 0.5 * depth * inversesqrt(36.0 + depth * depth);
@@ -23,6 +23,7 @@ void composite_depth(TfPiece piece, float depth, float fraction, float p0, float
 
 // Into how many panels a part is divided, so that what the rule leaves out, behind the present transmittance, is small:
 // bends where extinction changes, an extinction that changes much, and colours in thick ones.
+// Estimates, not bounds: their factors were set so that random scenes come out right (Analytic.RandomScenesAreExact).
 const float panel_tolerance = 1.0 / 8192.0;
 const float most_panels = 16.0;
 
