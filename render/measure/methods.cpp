@@ -109,10 +109,10 @@ Rendering measured_rendering(const Method& method, double step, const Rendering&
   preset.rendering.peak_bins = scene.peak_bins;
   preset.rendering.preintegration_bins = scene.preintegration_bins;
   preset.transfer_function = default_transfer_function();  // a preset has one
-  if (method.settings.find("analytic") != std::string_view::npos)
-    preset.rendering = with_trilinear_filters(preset.rendering);
   for (const std::string_view word : words_of(method.settings))
     preset = set_field(preset, fmt::format("rendering.{}", word));
+  if (is_analytic(preset.rendering.classification))
+    preset.rendering = with_trilinear_filters(preset.rendering);
   if (method.s_k_per_step > 0)
     preset.rendering.s_k = step * method.s_k_per_step;
   else if (method.has_step)

@@ -107,7 +107,7 @@ void Decision::decide_peaks() {
 // The peak form decides what becomes of peaks and DVR, also where one of them was forced in.
 void Decision::decide_forms() {
   const Features& f = need_.features;
-  const std::string paper = where_sampled(s_.is_split() ? "" : "the peak form is the paper's");
+  const std::string paper = where_sampled(s_.is_divided() ? "" : "the peak form is the paper's");
   const std::string none = f.peaks ? "" : s_.why_no_peaks();
   const std::string nothing_to_divide = !none.empty() ? none
                                         : f.dvr       ? ""
@@ -118,7 +118,7 @@ void Decision::decide_forms() {
          !nothing_to_divide.empty()         ? nothing_to_divide
          : f.analytic                       ? where_sampled("")
          : !is_exclusive(s_.rendering.mode) ? "the mode is not PEAK_XOR_DVR"
-         : s_.is_split()                    ? "the peak form is split"
+         : s_.is_divided()                  ? "the peak form is split"
                                             : "",
          false);
 }

@@ -36,7 +36,7 @@ std::string SceneFacts::why_nothing() const {
 std::string SceneFacts::why_no_base_tf() const {
   if (!is_semi_transparent()) return blend_mode();
   if (!is_exclusive(rendering.mode)) return "the mode is not PEAK_XOR_DVR";
-  if (!is_split()) return "the peak form is the paper's";
+  if (!is_divided()) return "the peak form is the paper's";
   const auto& points = classification.tf.points;
   const auto is_met = [&](const Peak& p) {
     return p.spike && p.shown && points[p.left].value <= dvr_field().max &&
@@ -127,7 +127,7 @@ std::string SceneFacts::why_no_early_termination(const Features& features) const
     const double opacity = std::ranges::max(surfaces(), {}, &Peak::opacity).opacity;
     const double count = double(surfaces().size());
     const double most = features.analytic ? 3 * count * cells_on_axes()
-                                          : (is_split() ? 2 * count : rendering.max_peaks) *
+                                          : (is_divided() ? 2 * count : rendering.max_peaks) *
                                                 (steps.most + 2 * spans(features));
     depth -= std::log1p(-opacity) * most;
   }

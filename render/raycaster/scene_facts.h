@@ -35,7 +35,7 @@ struct SceneFacts {
     return fmt::format("rendering.illumination is {}", name_of(rendering.blend_mode));
   }
   std::string mode() const { return fmt::format("the mode is {}", name_of(rendering.mode)); }
-  bool is_split() const { return is_divided(rendering); }
+  bool is_divided() const { return crest::is_divided(rendering); }
 
   std::string why_nothing() const;
   std::string why_no_analytic() const;

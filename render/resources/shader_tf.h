@@ -15,9 +15,6 @@ struct ShaderTfPiece {
   glm::vec2 low_value, high_value;    ///< of its levels, as sums of two; -3e38 and 3e38 where there is none
   float first_surface, past_surface;  ///< indices of those of the level above it
   float unused[2];
-
-  bool has_low() const { return low_value.x > -1e38F; }
-  bool has_high() const { return high_value.x < 1e38F; }
 };
 
 /// A TF and surfaces, cut as reference::Levels cuts them, and where opacity comes near to 1: there -log(1 -

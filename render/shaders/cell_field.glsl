@@ -97,9 +97,9 @@ Root improve(Root root, vec3 p, float target, bool up) {
   return root;
 }
 
-// Where the rise, monotone on [0, size] and `rise` at its end, comes to `target`. Four steps are right to 1e-3 of the
-// size for all but 1e-4 of roots, many of them beside extrema, and to rounding for nearly all. (A loop until nothing
-// changes, or Newton's method, which takes more of them, costs llvmpipe twice as much.)
+// Where the rise, monotone on [0, size] and `rise` at its end, comes to `target`. Four steps are enough, where Newton's
+// method needs more beside extrema (Analytic.RandomScenesAreExact); a loop until nothing changes is slower on SIMD
+// hardware, where it takes as many rounds as the slowest lane.
 float solve_rise(vec3 p, float target, float size, float rise) {
   bool up = rise >= 0.0;
   Root root = Root(0.0, size, rise == 0.0 ? 0.0 : clamp(size * (target / rise), 0.0, size));

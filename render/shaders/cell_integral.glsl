@@ -14,7 +14,7 @@ struct CellPart {
 
 // Composites a panel of this depth, with the light of a fraction of the piece. Light from further back is absorbed on the
 // way: where the fraction goes from p0 to p1, what comes through is from nearer by
-// 1/2 - (1/depth - 1/(exp(depth) - 1)) of the way, here to 0.03.
+// 1/2 - (1/depth - 1/(exp(depth) - 1)) of the way, here to 0.032.
 void composite_depth(TfPiece piece, float depth, float fraction, float p0, float p1, float light) {
   fraction -= (p1 - p0) * 0.5 * depth * inversesqrt(36.0 + depth * depth);
   composite((piece.low.rgb + piece.rise.rgb * clamp(fraction, 0.0, 1.0)) * light, opacity_of(depth));

@@ -89,6 +89,19 @@ Parameter<Features> blend_modes() {
   return parameter;
 }
 
+/// With what a ray has whether it is sampled or solved.
+std::vector<Parameter<Features>> with_those_of_any_ray(std::vector<Parameter<Features>> parameters) {
+  parameters.push_back(
+      {"gradient",
+       {gradient("none", false, false), gradient("central", true, false), gradient("filter", true, true)}});
+  parameters.push_back(flag("early termination", &Features::early_termination));
+  parameters.push_back(flag("skipping", &Features::skipping));
+  parameters.push_back(flag("empty cells", &Features::empty_cells));
+  parameters.push_back(flag("long rays", &Features::long_rays));
+  parameters.push_back(flag("statistics", &Features::statistics));
+  return parameters;
+}
+
 std::vector<Parameter<Features>> parameters() {
   return {
       {"DVR",
@@ -104,15 +117,8 @@ std::vector<Parameter<Features>> parameters() {
       filters(),
       root_filters(),
       blend_modes(),
-      {"gradient",
-       {gradient("none", false, false), gradient("central", true, false), gradient("filter", true, true)}},
       flag("several surfaces", &Features::several_peaks),
-      flag("early termination", &Features::early_termination),
       flag("adaptive", &Features::adaptive),
-      flag("skipping", &Features::skipping),
-      flag("empty cells", &Features::empty_cells),
-      flag("long rays", &Features::long_rays),
-      flag("statistics", &Features::statistics),
   };
 }
 
@@ -145,18 +151,17 @@ Pairwise<Features> analytic_feature_table() {
               f.peaks = in_peaks;
             }};
   };
-  return {
-      {{"shown", {shown("DVR", true, false), shown("peaks", false, true), shown("both", true, true)}},
-       {"gradient",
-        {gradient("none", false, false), gradient("central", true, false), gradient("filter", true, true)}},
-       flag("early termination", &Features::early_termination),
-       flag("skipping", &Features::skipping),
-       flag("empty cells", &Features::empty_cells),
-       flag("long rays", &Features::long_rays),
-       flag("statistics", &Features::statistics)},
-      {}};
+  const auto trilinear = [](const char* name, Filter filter) -> Value<Features> {
+    return {name, [=](Features& f) { f.filter = f.root_filter = filter; }};
+  };
+  const Parameter<Features> modes{"shown",
+                                  {shown("DVR", true, false), shown("peaks", false, true),
+                                   shown("both", true, true), shown("neither", false, false)}};
+  const Parameter<Features> fields{
+      "filter", {trilinear("linear", Filter::linear), trilinear("linear_exact", Filter::linear_exact)}};
+  return {with_those_of_any_ray({modes, fields}), {}};
 }
 
-Pairwise<Features> feature_table() { return {parameters(), rules}; }
+Pairwise<Features> feature_table() { return {with_those_of_any_ray(parameters()), rules}; }
 
 }  // namespace crest::testing
