@@ -1,5 +1,8 @@
 #include "render/raycaster/raycaster.h"
 
+#include <algorithm>
+#include <bit>
+
 #include "render/gl/uniforms.h"
 #include "render/raycaster/bindings.h"
 #include "render/resources/classification.h"
@@ -100,14 +103,20 @@ void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget&
 
 std::vector<PixelCounts> Raycaster::draw_counts(const Scene& scene, const Camera& camera,
                                                 gl::RenderTarget& target) {
+  const bool analytic = features(scene, true).analytic;
   std::vector<PixelCounts> sums(std::size_t(target.size().x) * std::size_t(target.size().y));
-  draw(scene, camera, target, Tile{{0, 0}, target.size()}, [&](int) {
+  draw(scene, camera, target, Tile{{0, 0}, target.size()}, [&](int pass) {
     const auto counts = target.read_counts();
     for (std::size_t i = 0; i < sums.size(); ++i) {
       sums[i].samples += counts[i].x;
       sums[i].dvr_samples += counts[i].y;
       sums[i].crossings += counts[i].z;
-      sums[i].crossings_left_out += counts[i].w & 0x7fffffffu;
+      const std::uint32_t rest = counts[i].w & 0x7fffffffu;
+      if (analytic)
+        sums[i].error_bound =
+            std::min((pass == 0 ? 0.0F : sums[i].error_bound) + std::bit_cast<float>(rest), 1.0F);
+      else
+        sums[i].crossings_left_out += rest;
       sums[i].hit = counts[i].w >> 31;
     }
   });

@@ -58,6 +58,7 @@ void main() {
   }
   out_color = collected;
 #if STATISTICS
+  counts.w |= floatBitsToUint(min(error_bound, 1.0));
   out_counts = counts;
 #endif
 }

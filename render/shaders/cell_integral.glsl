@@ -3,6 +3,7 @@
 #include "compositing.glsl"
 #include "shading.glsl"
 #include "tf_pieces.glsl"
+#include "error_bound.glsl"
 
 // The value is `offset` above the piece's lower level where the part begins, `offset + rise_at(p, s)` after a share s of
 // the cell, to s = size, where it has risen by `rise`.
@@ -57,7 +58,12 @@ void composite_part(Ray ray, TfPiece piece, CellPart part) {
     float p1 = i + 1.0 < panels ? fraction_of(piece, part.offset + rise_at(part.p, (i + 1.0) * share)) : last;
     float d1 = depth_in(piece, p1);
     float sum = d0 + 4.0 * d + d1, fraction = (d0 * p0 + 4.0 * d * middle + d1 * p1) / max(sum, 1.0e-30);
-    composite_depth(piece, extinction_scale * size * sum / 6.0, fraction, p0, p1, DVR_LIGHT(part.t + (i + 0.5) * size));
+    float depth = extinction_scale * size * sum / 6.0;
+#if STATISTICS
+    vec3 bends = rise_from(part.p, i * share) * vec3(share, share * share, share * share * share);
+    add_panel_error(piece, bends / piece.width, p0, p1, extinction_scale * size, depth);
+#endif
+    composite_depth(piece, depth, fraction, p0, p1, DVR_LIGHT(part.t + (i + 0.5) * size));
     p0 = p1;
     d0 = d1;
   }

@@ -1,7 +1,8 @@
 // Counters of what a ray costs. Without STATISTICS they are not there.
 #if STATISTICS
-layout(location = 1) out uvec4 out_counts;  // field evaluations, those of DVR, crossings, and those left
-                                            // out by max_peaks, with the highest bit where the box is hit
+// Field evaluations, those of DVR, crossings, and those left out by max_peaks, with the highest bit where the box is hit.
+// The exact march leaves out none; there the last one has the bits of the error bound.
+layout(location = 1) out uvec4 out_counts;
 uvec4 counts = uvec4(0u);
 #define COUNT_SAMPLE ++counts.x
 #define COUNT_DVR_SAMPLE ++counts.y

@@ -41,18 +41,6 @@ class Analytic : public RaycasterTest {
   }
 };
 
-/// A random scene that the exact march draws.
-View analytic_view(std::uint64_t seed) {
-  View view = random_view(seed);
-  Rendering& r = view.scene.rendering;
-  r.classification = ClassificationMethod::analytic;
-  r.filter = Filter::linear;
-  r.root_filter.reset();
-  r.shading = Shading::none;
-  r.early_termination = 0;
-  return view;
-}
-
 TEST_F(Analytic, RandomScenesAreExact) {
   double pixels = 0, wrong = 0, crossings = 0, missed = 0, invented = 0, largest = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {

@@ -156,4 +156,15 @@ View random_view(std::uint64_t seed) {
   return view;
 }
 
+View analytic_view(std::uint64_t seed) {
+  View view = random_view(seed);
+  Rendering& r = view.scene.rendering;
+  r.classification = ClassificationMethod::analytic;
+  r.filter = Filter::linear;
+  r.root_filter.reset();
+  r.shading = Shading::none;
+  r.early_termination = 0;
+  return view;
+}
+
 }  // namespace crest::testing

@@ -15,4 +15,7 @@ struct View {
 /// modes and settings; cameras outside, inside and turned away. The same seed gives the same view.
 View random_view(std::uint64_t seed);
 
+/// One of them that the exact march draws.
+View analytic_view(std::uint64_t seed);
+
 }  // namespace crest::testing
