@@ -36,8 +36,11 @@ std::vector<MeasuredPicture> measure_pictures(Renderer& renderer, const std::vec
     if (picture.frame_ms.empty()) picture.frame_ms = {picture.first_frame_ms};
   if (count_costs) {
     gl::RenderTarget counted(size, true);
-    for (std::size_t i = 0; i < scenes.size(); ++i)
-      pictures[i].counts = sum_of(renderer.draw_counts(scenes[i], camera, counted));
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const auto pixels = renderer.draw_counts(scenes[i], camera, counted);
+      pictures[i].counts = sum_of(pixels);
+      for (const PixelCounts& pixel : pixels) pictures[i].error_bounds.push_back(pixel.error_bound);
+    }
   }
   return pictures;
 }
@@ -95,6 +98,9 @@ nlohmann::ordered_json statistics_json(const MeasuredPicture& picture, Renderer&
   json["samples_per_hit_ray"] = counts.samples / hit_pixels;
   json["dvr_samples_per_hit_ray"] = counts.dvr_samples / hit_pixels;
   json["hit_rays"] = counts.hit_pixels;
+  if (counts.bounded_pixels > 0)
+    json["error_at_most"] = {{"greatest", counts.greatest_error_bound},
+                             {"share_within_1_255", counts.pixels_within_bound / counts.bounded_pixels}};
   json["peaks"] = peaks_json(classification.surfaces);
   add_need(json, picture.need);
   for (const std::string& note : picture.notes) json["notes"].push_back(note);

@@ -14,6 +14,7 @@ struct MeasuredPicture {
   double first_frame_ms = 0;     ///< with uploads and compilation
   std::vector<double> frame_ms;  ///< the frames after it; the first one where it is the only one
   RenderCounts counts;
+  std::vector<float> error_bounds;    ///< PixelCounts::error_bound, where costs are counted
   PictureNeed need;                   ///< what it was made from
   std::vector<std::string> warnings;  ///< scene_warnings()
   std::vector<std::string> notes;     ///< picture_notes()

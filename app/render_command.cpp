@@ -8,7 +8,9 @@
 #include "app/scene_options.h"
 #include "presets/json.h"
 #include "render/files/load.h"
+#include "render/measure/error_colors.h"
 #include "render/scene/camera.h"
+#include "render/scene/exact.h"
 
 namespace crest {
 namespace {
@@ -16,25 +18,41 @@ namespace {
 struct RenderOptions {
   SceneOptions scene;
   PictureOptions picture;
+  std::string error_bound;  ///< where to write it; empty: nowhere
 };
+
+/// How far each pixel may be off: as it is for an .exr, else in the colours of all error pictures.
+Image error_bound_picture(const std::vector<float>& bounds, glm::ivec2 size, bool in_colors) {
+  Image picture{size, {}};
+  for (const float bound : bounds)
+    picture.pixels.emplace_back(in_colors ? error_color(double(bound)) : glm::vec3(bound), 1);
+  return picture;
+}
 
 void print_statistics(nlohmann::ordered_json json, const std::string& renderer) {
   json["renderer"] = renderer;
   fmt::print("{}\n", json.dump(2));
 }
 
-void render_on_gpu(const Scene& scene, const Camera& camera, const PictureOptions& options) {
+void render_on_gpu(const Scene& scene, const Camera& camera, const RenderOptions& render_options) {
+  const PictureOptions& options = render_options.picture;
+  const std::filesystem::path bound_file = render_options.error_bound;
   const OffscreenContext context(options.device);
   Renderer renderer({}, program_folder());
-  const auto picture =
-      measure_pictures(renderer, {scene}, camera, options.pixels(), options.frames, options.json)[0];
+  const auto picture = measure_pictures(renderer, {scene}, camera, options.pixels(), options.frames,
+                                        options.json || !bound_file.empty())[0];
   write_image(options.output, picture.image, scene.rendering.background);
+  if (!bound_file.empty())
+    write_image(bound_file,
+                error_bound_picture(picture.error_bounds, options.pixels(), bound_file.extension() != ".exr"),
+                glm::vec3(0));
   print_warnings(picture.warnings);
   print_notes(picture.notes);
   if (options.json) print_statistics(statistics_json(picture, renderer, scene), context.renderer());
 }
 
-void render_exactly(const Scene& scene, const Camera& camera, const PictureOptions& options) {
+void render_on_cpu(const Scene& scene, const Camera& camera, const RenderOptions& render_options) {
+  const PictureOptions& options = render_options.picture;
   const auto picture = render_exact_pictures({scene}, camera, options.pixels(), options.output)[0];
   write_image(options.output, picture.reference.image(), scene.rendering.background);
   print_warnings(picture.warnings);
@@ -45,9 +63,11 @@ void render_exactly(const Scene& scene, const Camera& camera, const PictureOptio
 void render_picture(const RenderOptions& options) {
   const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
-  const Preset preset = options.scene.read_preset(*volume, aspect);
-  const auto render = preset.rendering.engine == Engine::reference ? render_exactly : render_on_gpu;
-  render(make_scene(volume, preset), camera_of(preset, volume->grid, aspect), options.picture);
+  const Preset preset = options.picture.with_exact(options.scene.read_preset(*volume, aspect));
+  if (!options.error_bound.empty() && !is_exact(preset.rendering))
+    throw UsageError("--error-bound", "only the exact march knows how far it may be off: add --exact");
+  const auto render = preset.rendering.engine == Engine::reference ? render_on_cpu : render_on_gpu;
+  render(make_scene(volume, preset), camera_of(preset, volume->grid, aspect), options);
 }
 
 }  // namespace
@@ -58,6 +78,11 @@ void add_render_command(Options app, Action& chosen) {
   command.add("VOLUME", options->scene.volume, "What to render (crest --help)").required();
   options->scene.add_to(command);
   options->picture.add_to(command);
+  command
+      .add(
+          "--error-bound", options->error_bound,
+          "With --exact: a picture of how far each pixel may be off, at most; .png in colours, .exr as it is")
+      .type_name("FILE");
   command.when_read([options, &chosen] { chosen = [options] { render_picture(*options); }; });
 }
 

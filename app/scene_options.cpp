@@ -11,6 +11,7 @@
 #include "presets/preset_file.h"
 #include "render/gl/render_target.h"
 #include "render/scene/camera.h"
+#include "render/scene/exact.h"
 
 namespace crest {
 namespace {
@@ -118,7 +119,19 @@ void PictureOptions::add_to(Options options) {
       .in(1, 100000)
       .shows_default();
   options.add("--device", device, "Graphics device (crest list devices); hardware first by default");
+  options.add_flag("--exact", exact,
+                   "By the exact march: no crossing missed, whatever the preset's step and classification");
   options.add_flag("--json", json, "Print statistics as JSON");
+}
+
+Preset PictureOptions::with_exact(Preset preset) const {
+  if (!exact) return preset;
+  if (preset.rendering.engine == Engine::reference)
+    throw UsageError("--exact", "rendering.engine is reference, the exact answer on the CPU: one of the two");
+  if (const std::string why_not = why_not_exact(preset.rendering); !why_not.empty())
+    throw UsageError("--exact", why_not);
+  preset.rendering = exact_rendering(preset.rendering);
+  return preset;
 }
 
 glm::ivec2 pixels_of(const std::string& size) {

@@ -42,9 +42,12 @@ glm::ivec2 pixels_of(const std::string& size);
 struct PictureOptions {
   std::string size = "512x512", output;
   int device = -1, frames = 1;
-  bool json = false;
+  bool json = false, exact = false;
 
   void add_to(Options options);
+  /// The preset, by the exact march where that is asked for. Throws UsageError where it does not draw what
+  /// the settings mean.
+  Preset with_exact(Preset preset) const;
   /// Throws as pixels_of().
   glm::ivec2 pixels() const { return pixels_of(size); }
 };

@@ -3,30 +3,18 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <glm/common.hpp>
 
 #include "presets/json.h"
+#include "render/measure/error_colors.h"
 
 namespace crest {
 namespace {
 
-/// matplotlib's "inferno", at nine places: even in lightness, and readable in grey and by the colour-blind.
-constexpr std::array<std::uint32_t, 9> inferno{0x000004, 0x210c4a, 0x57106e, 0x8a226a, 0xbc3754,
-                                               0xe45a31, 0xf98e09, 0xf9cb35, 0xfcffa4};
 constexpr std::uint32_t not_compared = 0x5b6470, grazing = 0x2aa198;
 
 glm::vec4 color_of(std::uint32_t rgb) {
   return {float(rgb >> 16) / 255, float(rgb >> 8 & 255) / 255, float(rgb & 255) / 255, 1};
-}
-
-glm::vec4 error_color(float error) {
-  const double decades = std::log10(most_shown_error / least_shown_error);
-  const double height = error > 0 ? 1 + std::log10(error / most_shown_error) / decades : 0;
-  const double place = std::clamp(height, 0.0, 1.0) * (inferno.size() - 1);
-  const auto below = std::min(std::size_t(place), inferno.size() - 2);
-  return glm::mix(color_of(inferno[below]), color_of(inferno[below + 1]), float(place - double(below)));
 }
 
 std::string in_file_name(std::string text) {
@@ -47,7 +35,10 @@ std::string file_name(const std::string& stem) { return fmt::format("images/{}.p
 ErrorColors error_colors() {
   const auto text = [](std::uint32_t rgb) { return fmt::format("#{:06x}", rgb); };
   ErrorColors colors{{}, text(not_compared), text(grazing)};
-  for (const std::uint32_t rgb : inferno) colors.scale.push_back(text(rgb));
+  for (const glm::vec3 color : error_scale()) {
+    const glm::uvec3 rgb(glm::round(255.0F * color));
+    colors.scale.push_back(text(rgb.r << 16 | rgb.g << 8 | rgb.b));
+  }
   return colors;
 }
 
@@ -68,7 +59,7 @@ Image error_picture(const Reference& exact, const Image& image) {
     const bool is_compared = wanted.pixels[i].a > 0 || !(image.pixels[i].a <= 0);
     picture.pixels.push_back(!is_compared       ? color_of(not_compared)
                              : exact.grazing[i] ? color_of(grazing)
-                                                : error_color(differences[i]));
+                                                : glm::vec4(error_color(double(differences[i])), 1));
   }
   return picture;
 }

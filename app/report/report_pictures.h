@@ -9,11 +9,7 @@
 
 namespace crest {
 
-/// Error pictures show a pixel's largest channel difference by its logarithm, from black to the scale's
-/// brightest colour. All have this one scale, so that they can be compared.
-inline constexpr double least_shown_error = 1e-5, most_shown_error = 1;
-
-/// Colours as "#rrggbb", from `least_shown_error` to `most_shown_error` at equal distances; then that of
+/// Colours as "#rrggbb": of error_scale() (render/measure/error_colors.h); then that of
 /// pixels which show nothing in both pictures, and that of grazing pixels.
 struct ErrorColors {
   std::vector<std::string> scale;

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "presets/preset.h"
+
+namespace crest {
+
+/// Why the exact march does not draw what these settings mean, in a sentence; empty where it does.
+std::string why_not_exact(const Rendering& rendering);
+
+/// The same picture without what sampling adds to it: by the exact march (classification analytic), to the
+/// ray's end. Only where why_not_exact() has nothing to say.
+Rendering exact_rendering(Rendering rendering);
+
+/// Whether these are such settings.
+bool is_exact(const Rendering& rendering);
+
+}  // namespace crest
