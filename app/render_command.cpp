@@ -8,8 +8,8 @@
 #include "app/scene_options.h"
 #include "presets/json.h"
 #include "render/files/load.h"
-#include "render/measure/error_colors.h"
 #include "render/scene/camera.h"
+#include "render/scene/error_colors.h"
 #include "render/scene/exact.h"
 
 namespace crest {

@@ -16,6 +16,7 @@
 #include "render/files/file_request.h"
 #include "render/files/load.h"
 #include "render/scene/camera.h"
+#include "render/scene/exact.h"
 #include "render/scene/export_input.h"
 
 namespace crest {
@@ -270,7 +271,11 @@ std::array<ViewRequest, view_count> Studio::view_requests(const StudioRequests& 
     const glm::ivec2 size = requests.view_pixels[i];
     if (size.x <= 0) continue;
     wanted[i] = {scene, camera_of(document_.preset, loaded_.volume->grid, aspect_of(size)), size};
-    wanted[i].scene.rendering = in_mode(scene.rendering, view_modes[i]);
+    Rendering& rendering = wanted[i].scene.rendering;
+    rendering = in_mode(scene.rendering, view_modes[i]);
+    if (requests.shown_picture == ShownPicture::as_set || !why_not_exact(rendering).empty()) continue;
+    rendering = exact_rendering(rendering);
+    wanted[i].error_bound = requests.shown_picture == ShownPicture::error_bound;
   }
   return wanted;
 }

@@ -7,6 +7,7 @@
 #include "presets/choices.h"
 #include "render/measure/timing.h"
 #include "render/notes.h"
+#include "render/scene/exact.h"
 #include "render/scene/float_precision.h"
 
 namespace crest {
@@ -24,12 +25,17 @@ constexpr int count_coarseness = 8;
 
 glm::ivec2 coarse_size(glm::ivec2 size, int coarseness) { return (size + coarseness - 1) / coarseness; }
 
-/// A coarse picture also steps further, within what still isolates most crossings; not where a table would
-/// have to be made for that step.
-Scene coarse_scene(Scene scene, int coarseness) {
-  if (coarseness > 1 && !holds_one_length(scene.rendering.classification))
-    scene.rendering.step = std::max(scene.rendering.step, coarseness > 4 ? 2.0 : 1.0);
-  return scene;
+/// An exact picture that takes no longer needs no preview.
+constexpr double quick_ms = 60;
+
+/// By samples that keep the surfaces: pre-integration where spikes are shown by DVR alone.
+Rendering sampled(Rendering rendering, const Classification& classification) {
+  const bool by_dvr = shows_dvr(rendering.mode) && !is_exclusive(rendering.mode);
+  rendering.classification = by_dvr && std::ranges::any_of(classification.peaks, &Peak::spike)
+                                 ? ClassificationMethod::preintegrated
+                                 : ClassificationMethod::post;
+  rendering.step = 1;
+  return rendering;
 }
 
 std::vector<std::string> warnings_of(const ViewRequest& request) {
@@ -44,7 +50,8 @@ std::vector<std::string> warnings_of(const ViewRequest& request) {
 
 bool ViewRequest::operator==(const ViewRequest& other) const {
   return scene.volume == other.scene.volume && scene.tf == other.scene.tf &&
-         scene.rendering == other.scene.rendering && camera == other.camera && size == other.size;
+         scene.rendering == other.scene.rendering && camera == other.camera && size == other.size &&
+         error_bound == other.error_bound;
 }
 
 ViewRenderer::ViewRenderer(std::filesystem::path shader_folder, std::filesystem::path program_folder)
@@ -74,7 +81,7 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
     View* view = next_view();
     if (!view) break;
     try {
-      if (!view->pass && view->shown_version == view->wanted_version && view->shown_coarseness == 1) {
+      if (!view->pass && is_done(*view)) {
         count_costs(*view);
         continue;
       }
@@ -99,16 +106,20 @@ void ViewRenderer::give_up(View& view, std::string why) {
   view.error = std::move(why);
   view.pass.reset();
   view.shown_version = view.wanted_version;
+  view.shown_stage = full;
   view.shown_coarseness = 1;
   view.is_counted = true;
   view.full.reset();
 }
 
+bool ViewRenderer::is_done(const View& view) {
+  return view.shown_version == view.wanted_version && view.shown_stage == full && view.shown_coarseness > 0;
+}
+
 bool ViewRenderer::is_busy() const {
   return std::ranges::any_of(views_, [](const View& view) {
     return view.wanted.size.x > 0 && view.wanted.scene.volume &&
-           (view.pass || !view.queued.empty() || view.shown_version != view.wanted_version ||
-            view.shown_coarseness != 1 || !view.is_counted);
+           (view.pass || !view.queued.empty() || !is_done(view) || !view.is_counted);
   });
 }
 
@@ -117,10 +128,10 @@ void ViewRenderer::take_times() {
     for (; !view.queued.empty() && gl::is_over(view.queued.front().time); view.queued.pop_front()) {
       const Slice& slice = view.queued.front();
       const double ms = gl::measured_ms(slice.time);
-      double& ms_per_pixel = slice.is_full ? view.ms_per_pixel : view.coarse_ms_per_pixel;
+      double& ms_per_pixel = view.ms_per_pixel[slice.stage];
       ms_per_pixel = std::max(1e-7, 0.5 * ms_per_pixel + 0.5 * ms / slice.pixels);
       view.pass_ms = (slice.is_first ? 0 : view.pass_ms) + ms;
-      if (slice.is_full && slice.is_last) view.frame_ms = view.pass_ms;
+      if (slice.stage == full && slice.is_last) view.frame_ms = view.pass_ms;
     }
 }
 
@@ -131,18 +142,19 @@ double ViewRenderer::queued_ms() const {
   return ms;
 }
 
-/// In turn: first the views that show an old picture, then those that show a coarse one, then those not
-/// counted.
+/// In turn: first the views that show an old picture, then those that show a coarse one, then previews, then
+/// those not counted.
 ViewRenderer::View* ViewRenderer::next_view() {
   View* best = nullptr;
-  int best_rank = 3;
+  int best_rank = 4;
   for (std::size_t i = 1; i <= view_count; ++i) {
     View& view = views_[(last_view_ + i) % view_count];
     if (view.wanted.size.x <= 0 || !view.wanted.scene.volume || view.queued.size() >= most_queued) continue;
     const int rank = view.shown_version != view.wanted_version ? 0
-                     : view.shown_coarseness != 1              ? 1
-                     : !view.is_counted                        ? 2
-                                                               : 3;
+                     : view.shown_stage == coarse              ? 1
+                     : view.shown_stage == preview             ? 2
+                     : !view.is_counted                        ? 3
+                                                               : 4;
     if (rank < best_rank) {
       best = &view;
       best_rank = rank;
@@ -151,43 +163,70 @@ ViewRenderer::View* ViewRenderer::next_view() {
   return best;
 }
 
+/// Of a picture at full resolution.
+ViewRenderer::Stage ViewRenderer::next_stage(const View& view) const {
+  const bool has_preview = view.shown_version == view.wanted_version && view.shown_stage == preview;
+  const double pixels = double(view.wanted.size.x) * view.wanted.size.y;
+  const bool is_quick = view.ms_per_pixel[full] * pixels <= quick_ms;
+  return is_exact(view.wanted.scene.rendering) && !has_preview && !is_quick ? preview : full;
+}
+
+// A coarse picture also steps further, within what still isolates most crossings; not where a table would
+// have to be made for that step.
+Scene ViewRenderer::scene_of(const ViewRequest& request, Stage stage, int coarseness) {
+  Scene scene = request.scene;
+  if (stage == full) return scene;
+  Rendering& rendering = scene.rendering;
+  if (is_exact(rendering)) rendering = sampled(rendering, renderer_.classification(scene));
+  if (stage == coarse && !holds_one_length(rendering.classification))
+    rendering.step = std::max(rendering.step, coarseness > 4 ? 2.0 : 1.0);
+  return scene;
+}
+
 void ViewRenderer::begin_pass(View& view, bool interactive) {
   Pass pass;
   pass.request = view.wanted;
   pass.version = view.wanted_version;
   const glm::ivec2 size = view.wanted.size;
   if (view.shown_version != view.wanted_version) {
-    const double full_ms = view.coarse_ms_per_pixel * size.x * size.y;
+    const double full_ms = view.ms_per_pixel[coarse] * size.x * size.y;
     while (pass.coarseness < coarsest && full_ms / (pass.coarseness * pass.coarseness) > coarse_ms)
       pass.coarseness *= 2;
   }
   if (!interactive && view.shown_coarseness == 0) pass.coarseness = std::max(pass.coarseness, 4);
-  pass.target = std::make_unique<gl::RenderTarget>(coarse_size(size, pass.coarseness), false);
+  pass.stage = pass.coarseness > 1 ? coarse : next_stage(view);
+  pass.scene = scene_of(pass.request, pass.stage, pass.coarseness);
+  const bool counts = pass.stage == full && pass.request.error_bound;
+  pass.target = std::make_unique<gl::RenderTarget>(coarse_size(size, pass.coarseness), counts);
   view.pass = std::move(pass);
 }
 
 void ViewRenderer::draw_slice(View& view, double wanted_ms) {
   Pass& pass = *view.pass;
   const glm::ivec2 size = pass.target->size();
-  const bool is_full = pass.coarseness == 1;
-  const double ms_per_pixel = is_full ? view.ms_per_pixel : view.coarse_ms_per_pixel;
+  const double ms_per_pixel = view.ms_per_pixel[pass.stage];
   const int rows = std::max(int(std::min(wanted_ms / (ms_per_pixel * size.x), 1e6)), 4);
   const Tile tile{{0, pass.next_row}, {size.x, std::min(pass.next_row + rows, size.y)}};
   const double pixels = double(tile.end.x) * (tile.end.y - tile.begin.y);
-  gl::QueryHandle time = gl::time_on_device([&] {
-    renderer_.draw(coarse_scene(pass.request.scene, pass.coarseness), pass.request.camera, *pass.target,
-                   tile);
-  });
+  gl::QueryHandle time =
+      gl::time_on_device([&] { renderer_.draw(pass.scene, pass.request.camera, *pass.target, tile); });
   view.queued.push_back(
-      {std::move(time), ms_per_pixel * pixels, pixels, is_full, tile.begin.y == 0, tile.end.y == size.y});
-  // A picture in full appears as it grows
-  if (is_full && view.display && view.display->size() == size)
-    presenter_.present(*pass.target, *view.display, glm::vec3(pass.request.scene.rendering.background),
-                       tile.begin.y, tile.end.y);
+      {std::move(time), ms_per_pixel * pixels, pixels, pass.stage, tile.begin.y == 0, tile.end.y == size.y});
+  // A picture at full resolution appears as it grows
+  if (pass.coarseness == 1 && view.display && view.display->size() == size)
+    show_rows(pass, *view.display, tile.begin.y, tile.end.y);
   pass.next_row = tile.end.y;
   last_view_ = std::size_t(&view - views_.data());
   if (pass.next_row == size.y) finish_pass(view);
   glFlush();  // the device begins
+}
+
+void ViewRenderer::show_rows(const Pass& pass, gl::DisplayTexture& display, int first_row, int last_row) {
+  if (pass.target->has_counts())
+    presenter_.present_error_bounds(*pass.target, display, first_row, last_row);
+  else
+    presenter_.present(*pass.target, display, glm::vec3(pass.scene.rendering.background), first_row,
+                       last_row);
 }
 
 void ViewRenderer::finish_pass(View& view) {
@@ -196,11 +235,11 @@ void ViewRenderer::finish_pass(View& view) {
   const glm::ivec2 size = pass.request.size;
   if (!view.display || view.display->size() != size)
     view.display = std::make_unique<gl::DisplayTexture>(size);
-  presenter_.present(*pass.target, *view.display, glm::vec3(pass.request.scene.rendering.background), 0,
-                     size.y);
+  show_rows(pass, *view.display, 0, size.y);
   view.shown_version = pass.version;
+  view.shown_stage = pass.stage;
   view.shown_coarseness = pass.coarseness;
-  if (pass.coarseness == 1) view.full = std::move(pass.target);
+  if (pass.stage == full) view.full = std::move(pass.target);
 }
 
 void ViewRenderer::count_costs(View& view) {
@@ -227,17 +266,20 @@ ViewPicture ViewRenderer::picture(int index) const {
   picture.warnings = view.warnings;
   if (!view.nothing_visible.empty()) picture.warnings.push_back(view.nothing_visible);
   if (!view.display) return picture;
-  const bool done = view.shown_coarseness == 1 && view.shown_version == view.wanted_version;
+  const bool done = is_done(view);
   picture.texture = view.display->texture();
   picture.coarseness = std::max(view.shown_coarseness, 1);
   picture.progress = done ? 1
-                     : view.pass && view.pass->coarseness == 1
+                     : view.pass && view.pass->stage == full
                          ? double(view.pass->next_row) / view.pass->target->size().y
                          : 0;
   picture.frame_ms = view.frame_ms;
+  picture.is_exact = is_exact(view.wanted.scene.rendering);
   if (view.counts.pixels > 0) {
     picture.samples_per_ray = view.counts.samples / view.counts.pixels;
     picture.dvr_samples_per_ray = view.counts.dvr_samples / view.counts.pixels;
+    if (view.is_counted && view.counts.bounded_pixels > 0)
+      picture.share_within = view.counts.pixels_within_bound / view.counts.bounded_pixels;
   }
   return picture;
 }

@@ -17,14 +17,16 @@ namespace crest {
 struct ViewRequest {
   Scene scene;
   Camera camera;
-  glm::ivec2 size{0};  ///< (0, 0): the view is not visible
+  glm::ivec2 size{0};        ///< (0, 0): the view is not visible
+  bool error_bound = false;  ///< of an exact scene: how far each pixel may be off, in place of the picture
   bool operator==(const ViewRequest& other) const;
 };
 
 /// Draws the views of the studio a slice at a time, so that the window stays live: at first coarse, then in
-/// full. A coarse picture that was begun is finished, so that a view keeps up with a drag; a finer one is
-/// dropped when the request changes. Nothing is drawn again that did not change. Slices are handed to the
-/// device without waiting for them; their times are read later, and only a few are ahead of it.
+/// full; where an exact scene takes long, in between by samples that keep its surfaces. A coarse picture that
+/// was begun is finished, so that a view keeps up with a drag; a finer one is dropped when the request
+/// changes. Nothing is drawn again that did not change. Slices are handed to the device without waiting for
+/// them; their times are read later, and only a few are ahead of it.
 class ViewRenderer {
  public:
   /// As Renderer.
@@ -49,10 +51,14 @@ class ViewRenderer {
   void invalidate();
 
  private:
+  /// How good a picture is. A preview is of an exact scene, by samples.
+  enum Stage { coarse, preview, full, stage_count };
   /// A picture that is being drawn, row by row.
   struct Pass {
     ViewRequest request;
     std::uint64_t version = 0;
+    Stage stage = full;
+    Scene scene;  ///< of the request, as this stage draws it
     int coarseness = 1;
     int next_row = 0;
     std::unique_ptr<gl::RenderTarget> target;
@@ -61,7 +67,7 @@ class ViewRenderer {
   struct Slice {
     gl::QueryHandle time;
     double expected_ms = 0, pixels = 0;
-    bool is_full = false;                    ///< of a picture in full
+    Stage stage = full;
     bool is_first = false, is_last = false;  ///< of its pass
   };
   struct View {
@@ -70,11 +76,12 @@ class ViewRenderer {
     std::string nothing_visible;        ///< why, where the picture in full shows nothing
     std::string error;                  ///< why `wanted` cannot be drawn
     std::uint64_t wanted_version = 0, shown_version = 0;
+    Stage shown_stage = coarse;
     int shown_coarseness = 0;  ///< 0: nothing is shown
     std::optional<Pass> pass;
     std::deque<Slice> queued;  ///< what the device may not be through with
     std::unique_ptr<gl::DisplayTexture> display;
-    double ms_per_pixel = 1e-3, coarse_ms_per_pixel = 1e-3;  ///< a first guess; measured from then on
+    std::array<double, stage_count> ms_per_pixel{1e-3, 1e-3, 1e-3};  ///< guesses; measured from then on
     double frame_ms = 0, pass_ms = 0;  ///< of the last picture in full; of what is known of a pass
     PictureNeed need;
     RenderCounts counts;
@@ -83,11 +90,15 @@ class ViewRenderer {
         full;  ///< the picture in full, until it is known whether it shows anything
   };
 
+  static bool is_done(const View& view);
   void take_times();
   double queued_ms() const;
   View* next_view();
+  Stage next_stage(const View& view) const;
   void begin_pass(View& view, bool interactive);
+  Scene scene_of(const ViewRequest& request, Stage stage, int coarseness);
   void draw_slice(View& view, double slice_ms);
+  void show_rows(const Pass& pass, gl::DisplayTexture& display, int first_row, int last_row);
   void finish_pass(View& view);
   void count_costs(View& view);
   void tell_if_nothing_is_visible(View& view, const Image& small);

@@ -155,11 +155,29 @@ bool reset_view(Document& document, StudioState& state) {
   return changed;
 }
 
+void toggle_exact(ViewsState& views) {
+  views.exact = !views.exact;
+  views.error_bound = false;
+}
+
+void toggle_error_bound(ViewsState& views) {
+  views.error_bound = !views.error_bound;
+  views.exact |= views.error_bound;
+}
+
 bool view_menu(Document& document, StudioState& state, StudioRequests& requests) {
   if (!menu(state, "View")) return false;
   bool changed = false;
   if (item(state, "Reset view", "R")) changed |= reset_view(document, state);
   ImGui::MenuItem("Outline and axes", nullptr, &state.views.outline);
+  if (ImGui::MenuItem("Exact at rest", "X", state.views.exact)) toggle_exact(state.views);
+  note_item(state.widgets, "Exact at rest");
+  tip("When nothing moves, each view goes on to the exact picture of its mode.\nElse it stays as the "
+      "settings "
+      "have it: step, classification, filter.");
+  if (ImGui::MenuItem("Error at most", "B", state.views.error_bound)) toggle_error_bound(state.views);
+  note_item(state.widgets, "Error at most");
+  tip("How far each pixel of the exact picture may be off, in colours");
   ImGui::Separator();
   if (ImGui::MenuItem("All four views", "Esc", state.views.enlarged < 0)) state.views.enlarged = -1;
   for (int i = 0; i < view_count; ++i)
@@ -228,6 +246,8 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
   }
   if (io.WantTextInput) return false;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) state.views.enlarged = -1;
+  if (key_pressed('X')) toggle_exact(state.views);
+  if (key_pressed('B')) toggle_error_bound(state.views);
   return key_pressed('R') && !ImGui::IsAnyMouseDown() && reset_view(document, state);
 }
 

@@ -19,4 +19,19 @@ constexpr const char* explanation_of(Mode mode) {
   return "Samples and surfaces together";
 }
 
+/// The same of its exact picture.
+constexpr const char* exact_explanation_of(Mode mode) {
+  switch (mode) {
+    case Mode::dvr_only:
+      return "the integral of the whole curve";
+    case Mode::peak_only:
+      return "all surfaces at the curve's peaks, alone";
+    case Mode::peak_xor_dvr:
+      return "all surfaces, and the integral of the rest";
+    case Mode::both:
+      break;
+  }
+  return "the integral of the whole curve, and all surfaces";
+}
+
 }  // namespace crest

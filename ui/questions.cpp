@@ -26,6 +26,8 @@ constexpr HelpLine help_lines[] = {
     {"middle or right drag", "move; also: Shift+left drag"},
     {"wheel", "nearer, further"},
     {"double-click", "enlarge a view, and back (Esc)"},
+    {"X", "the exact picture at rest, or as the settings have it"},
+    {"B", "how far each pixel of the exact picture may be off"},
     {"R", "reset: the whole volume in view"},
     {"", "Files"},
     {"Ctrl+O, Ctrl+Shift+O", "open a volume, a preset"},

@@ -28,8 +28,11 @@ inline constexpr std::array<Mode, view_count> view_modes{Mode::dvr_only, Mode::p
 struct ViewPicture {
   std::uintptr_t texture = 0;  ///< an ImTextureID, row 0 at the top; 0 while there is none
   int coarseness = 1;          ///< 1 at full resolution, 4 when every fourth pixel was cast
-  double progress = 1;         ///< share of the full-resolution picture that is done
-  double frame_ms = 0;         ///< of the last full-resolution picture; 0 while there is none
+  double progress = 1;         ///< share of the picture as it is wanted that is done
+  bool is_exact = false;       ///< it is, or becomes, the exact march's
+  /// Of an exact picture that is done: the share of the pixels that are surely within 1/255 (light apart).
+  std::optional<double> share_within;
+  double frame_ms = 0;  ///< of the last full-resolution picture; 0 while there is none
   double samples_per_ray = 0, dvr_samples_per_ray = 0;  ///< 0 while not counted
   PictureNeed need;                                     ///< at full resolution; empty until it is begun
   std::vector<std::string> warnings;  ///< what it may be off by, and why it shows nothing, in sentences
@@ -70,6 +73,10 @@ struct StudioInputs {
   bool close_requested = false;  ///< the window's close button was pressed since the last frame
 };
 
+/// What the views show when nobody does anything: the picture as the settings have it; or the exact one,
+/// where there is one for the settings, or how far each of its pixels may be off, at most.
+enum class ShownPicture { as_set, exact, error_bound };
+
 /// What the person asked for in this frame, other than changes of the document.
 struct StudioRequests {
   std::optional<std::string> open_volume;
@@ -92,7 +99,8 @@ struct StudioRequests {
   /// To be done before quitting; when it fails, the program does not quit.
   std::optional<std::filesystem::path> save_preset;
   std::array<glm::ivec2, view_count>
-      view_pixels{};              ///< size to draw each view at; (0, 0) = it is not visible
+      view_pixels{};  ///< size to draw each view at; (0, 0) = it is not visible
+  ShownPicture shown_picture = ShownPicture::exact;
   bool document_changed = false;  ///< by this frame: an edit, undo or redo
   std::optional<bool> measure;    ///< switches the measurement in the background on or off
   bool quit = false;              ///< the person was asked about unsaved changes

@@ -17,6 +17,8 @@ namespace crest {
 struct ViewsState {
   int enlarged = -1;  ///< the view that fills the grid; -1 = all four
   bool outline = true;
+  bool exact = true;           ///< at rest, views go on to the exact picture
+  bool error_bound = false;    ///< or to how far it may be off
   std::optional<Mode> listed;  ///< whose features are listed; without one, those of the preset's mode
 };
 

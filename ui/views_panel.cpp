@@ -8,6 +8,8 @@
 
 #include "presets/names.h"
 #include "render/scene/camera.h"
+#include "render/scene/error_colors.h"
+#include "render/scene/exact.h"
 #include "ui/camera_control.h"
 #include "ui/mode_text.h"
 #include "ui/style.h"
@@ -25,9 +27,16 @@ std::string cost_text(const ViewPicture& view) {
   if (view.frame_ms <= 0) return "";
   std::string text =
       view.frame_ms < 100 ? fmt::format("{:.1f} ms", view.frame_ms) : fmt::format("{:.0f} ms", view.frame_ms);
-  if (view.samples_per_ray > 0)
+  if (view.is_exact && view.samples_per_ray > 0)
+    text += fmt::format("   {:.1f} cells/ray", view.samples_per_ray);
+  else if (view.samples_per_ray > 0)
     text += fmt::format("   {:.1f} samples/ray, {:.1f} DVR", view.samples_per_ray, view.dvr_samples_per_ray);
   return text;
+}
+
+Rendering with_mode(Rendering rendering, Mode mode) {
+  rendering.mode = mode;
+  return rendering;
 }
 
 void right_aligned(const char* text, float right) {
@@ -36,11 +45,42 @@ void right_aligned(const char* text, float right) {
   ImGui::TextDisabled("%s", text);
 }
 
+/// Of an exact picture: how sure that is, and what it is of.
+std::string exact_text(const ViewPicture& view, Mode mode) {
+  std::string sure;
+  if (view.progress < 1)
+    sure = "becoming exact";
+  else if (!view.share_within)
+    sure = "exact";
+  else
+    sure = fmt::format("exact, {:.4g} % surely within 1/255", 100 * *view.share_within);
+  return fmt::format("{}: {}", sure, exact_explanation_of(mode));
+}
+
+/// What the view shows, in one line, and more of it under the mouse.
+void explanation(const Rendering& rendering, const ViewsState& views, const ViewPicture& view, Mode mode) {
+  const std::string text = view.is_exact ? exact_text(view, mode) : explanation_of(mode);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  std::string more = text;
+  if (view.is_exact)
+    more +=
+        "\nBy bounds on all errors of a ray, of a 64th of the pixels; of light there is none."
+        "\nX shows the picture as the settings have it, B how far each pixel may be off.";
+  else if (const std::string why_not = why_not_exact(with_mode(rendering, mode)); !why_not.empty())
+    more += "\nNot exact: " + why_not;
+  else if (!views.exact)
+    more += "\nAs the settings have it; X shows the exact picture.";
+  tip(more.c_str());
+}
+
 /// The name, whether it may be off, what it costs, and what it shows.
-void caption(int index, StudioState& state, const ViewPicture& view, Engine engine) {
+void caption(int index, StudioState& state, const ViewPicture& view, const Rendering& rendering) {
+  const Engine engine = rendering.engine;
   const Mode mode = view_modes[std::size_t(index)];
   std::string name(name_of(mode));
-  if (engine == Engine::vdls && mode == Mode::dvr_only) name += ": vdls";
+  if (engine == Engine::vdls && mode == Mode::dvr_only && !view.is_exact) name += ": vdls";
   const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX();
   const bool enlarged = state.views.enlarged == index;
   ImGui::TextUnformatted(name.c_str());
@@ -59,10 +99,20 @@ void caption(int index, StudioState& state, const ViewPicture& view, Engine engi
   ImGui::SameLine(start + width - button);
   if (ImGui::SmallButton(action)) state.views.enlarged = enlarged ? -1 : index;
   note_item(state.widgets, fmt::format("enlarge{}", index));
-  ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
-  ImGui::TextUnformatted(explanation_of(mode));
-  ImGui::PopStyleColor();
-  tip(explanation_of(mode));
+  explanation(rendering, state.views, view, mode);
+}
+
+/// What the colours of an error bound mean.
+void error_legend(ImDrawList& list, ImVec2 at) {
+  const auto colors = error_scale();
+  const float width = scaled(12), height = scaled(8);
+  for (const glm::vec3 color : colors) {
+    list.AddRectFilled(at, {at.x + width, at.y + height},
+                       ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1}));
+    at.x += width;
+  }
+  const std::string text = fmt::format("off by at most {:g} .. {:g}", least_shown_error, most_shown_error);
+  list.AddText({at.x + scaled(6), at.y + (height - ImGui::GetFontSize()) / 2}, palette::dim, text.c_str());
 }
 
 /// Moves the camera in force as the mouse says.
@@ -104,11 +154,14 @@ void picture(const StudioState& state, const StudioInputs& inputs, const ViewPic
     list.AddText({low.x + (size.x - text.x) / 2, low.y + (size.y - text.y) / 2}, palette::faint, hint);
   }
   if (view.texture != 0 && (view.coarseness > 1 || view.progress < 1)) {
-    const std::string hint = view.coarseness > 1 ? fmt::format("coarse 1:{}", view.coarseness) : "refining";
+    const std::string hint = view.coarseness > 1 ? fmt::format("coarse 1:{}", view.coarseness)
+                             : view.is_exact     ? fmt::format("exact: {:.0f} %", 100 * view.progress)
+                                                 : "refining";
     list.AddText({low.x + scaled(8), high.y - ImGui::GetFontSize() - scaled(8)}, palette::dim, hint.c_str());
     const float done = size.x * float(std::clamp(view.progress, 0.0, 1.0));
     list.AddRectFilled({low.x, high.y - scaled(2)}, {low.x + done, high.y}, palette::accent);
   }
+  if (state.views.error_bound && view.is_exact) error_legend(list, {low.x + scaled(8), low.y + scaled(8)});
   list.PopClipRect();
 }
 
@@ -118,7 +171,7 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
   ImGui::PushID(index);
   ImGui::SetCursorScreenPos(corner);
   ImGui::BeginChild("view", size, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  caption(index, state, inputs.views[i], document.preset.rendering.engine);
+  caption(index, state, inputs.views[i], document.preset.rendering);
   bool changed = false;
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const ImVec2 image{std::floor(room.x), std::floor(room.y)};
@@ -148,6 +201,9 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
 bool views_panel(Document& document, StudioState& state, const StudioInputs& inputs,
                  StudioRequests& requests) {
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  requests.shown_picture = !state.views.exact        ? ShownPicture::as_set
+                           : state.views.error_bound ? ShownPicture::error_bound
+                                                     : ShownPicture::exact;
   const int enlarged = state.views.enlarged;
   if (enlarged >= 0) return view(document, state, inputs, requests, enlarged, corner, room);
   const float gap = scaled(8);

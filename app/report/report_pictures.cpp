@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 
 #include "presets/json.h"
-#include "render/measure/error_colors.h"
+#include "render/scene/error_colors.h"
 
 namespace crest {
 namespace {

@@ -9,7 +9,7 @@
 
 namespace crest {
 
-/// Colours as "#rrggbb": of error_scale() (render/measure/error_colors.h); then that of
+/// Colours as "#rrggbb": of error_scale() (render/scene/error_colors.h); then that of
 /// pixels which show nothing in both pictures, and that of grazing pixels.
 struct ErrorColors {
   std::vector<std::string> scale;

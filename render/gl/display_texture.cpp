@@ -1,7 +1,10 @@
 #include "render/gl/display_texture.h"
 
+#include <fmt/core.h>
+
 #include "render/gl/program.h"
 #include "render/gl/texture.h"
+#include "render/scene/error_colors.h"
 
 namespace crest::gl {
 
@@ -29,6 +32,26 @@ void Presenter::present(const RenderTarget& from, DisplayTexture& to, glm::vec3 
                      background.z);
   glProgramUniform2f(program, glGetUniformLocation(program, "scale"),
                      float(from.size().x) / float(to.size().x), float(from.size().y) / float(to.size().y));
+  draw(program, to, first_row, last_row);
+}
+
+void Presenter::present_error_bounds(const RenderTarget& from, DisplayTexture& to, int first_row,
+                                     int last_row) {
+  const auto colors = error_scale();
+  if (!error_program_)
+    error_program_ =
+        build_fullscreen_program("present_error.frag", {fmt::format("ERROR_COLORS {}", colors.size())});
+  const GLuint program = error_program_->id();
+  glBindTextureUnit(0, from.counts_texture());
+  glProgramUniform1i(program, glGetUniformLocation(program, "counts"), 0);
+  glProgramUniform3fv(program, glGetUniformLocation(program, "error_scale"), GLsizei(colors.size()),
+                      &colors.front().x);
+  glProgramUniform2f(program, glGetUniformLocation(program, "shown_errors"), float(least_shown_error),
+                     float(most_shown_error));
+  draw(program, to, first_row, last_row);
+}
+
+void Presenter::draw(GLuint program, DisplayTexture& to, int first_row, int last_row) {
   glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer());
   glViewport(0, 0, to.size().x, to.size().y);
   glScissor(0, first_row, to.size().x, last_row - first_row);

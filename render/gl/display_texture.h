@@ -2,6 +2,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "render/gl/handle.h"
 #include "render/gl/render_target.h"
@@ -27,12 +28,19 @@ class Presenter {
  public:
   Presenter();
 
-  /// The rows [first_row, last_row) of `to`, from the same part of `from`; a smaller picture is enlarged.
+  /// The rows [first_row, last_row) of `to`, from the same part of `from`; a smaller picture is enlarged
+  /// smoothly.
   void present(const RenderTarget& from, DisplayTexture& to, glm::vec3 background, int first_row,
                int last_row);
+  /// The same of how far each pixel may be off (PixelCounts::error_bound): `from` has counts, and the size of
+  /// `to`.
+  void present_error_bounds(const RenderTarget& from, DisplayTexture& to, int first_row, int last_row);
 
  private:
+  void draw(GLuint program, DisplayTexture& to, int first_row, int last_row);
+
   ProgramHandle program_;
+  std::optional<ProgramHandle> error_program_;  ///< once it was needed
   VertexArrayHandle vertex_array_;
 };
 

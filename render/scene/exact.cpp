@@ -11,16 +11,22 @@ std::string why_not_exact(const Rendering& rendering) {
   if (rendering.blend_mode != BlendMode::semi_transparent && shows_dvr(rendering.mode))
     return fmt::format("rendering.illumination is {}, which is made of samples",
                        name_of(rendering.blend_mode));
-  Rendering exact = rendering;
-  exact.classification = ClassificationMethod::analytic;
-  return why_inconsistent(exact);
+  return why_inconsistent(exact_rendering(rendering));
 }
 
-Rendering exact_rendering(Rendering rendering) {
-  rendering.classification = ClassificationMethod::analytic;
-  rendering.engine = Engine::raycaster;
-  rendering.early_termination = 0;
-  return rendering;
+Rendering exact_rendering(const Rendering& rendering) {
+  Rendering exact;
+  exact.classification = ClassificationMethod::analytic;
+  exact.mode = rendering.mode;
+  exact.filter = rendering.filter;
+  exact.root_filter = rendering.root_filter;
+  exact.shading = rendering.shading;
+  exact.gradient = rendering.gradient;
+  exact.skipping = rendering.skipping;
+  exact.clip_box = rendering.clip_box;
+  exact.background = rendering.background;
+  exact.unknown = rendering.unknown;
+  return exact;
 }
 
 bool is_exact(const Rendering& rendering) {

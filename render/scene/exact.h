@@ -10,8 +10,9 @@ namespace crest {
 std::string why_not_exact(const Rendering& rendering);
 
 /// The same picture without what sampling adds to it: by the exact march (classification analytic), to the
-/// ray's end. Only where why_not_exact() has nothing to say.
-Rendering exact_rendering(Rendering rendering);
+/// ray's end. What has no part in that is as it is by default, so that settings of the same picture are
+/// equal. Only where why_not_exact() has nothing to say.
+Rendering exact_rendering(const Rendering& rendering);
 
 /// Whether these are such settings.
 bool is_exact(const Rendering& rendering);

@@ -19,9 +19,14 @@ const float rounding = 1.0e-6;  // of a few operations, relative
 
 void add_error(float error) { error_bound += transmittance * transmittance_slack * error; }
 
-// Where the ray begins or ends: the place is rounded, and what lies there has so much depth a unit.
-void add_end_error(float depth, float t) {
-  add_error(opacity_of(extinction_scale * depth * rounding * (abs(t) + 1.0)));
+// Where the ray begins or ends: the place is rounded, the more the flatter the ray meets the box, and what lies there has
+// so much depth a unit.
+void add_end_error(Ray ray, float depth, float t) {
+  vec3 position = at(ray, t), beside = min(abs(position - rendered_min), abs(position - rendered_max));
+  vec3 flatness = mix(vec3(1.0), 1.0 / max(abs(ray.direction), vec3(1.0e-4)), lessThan(beside, vec3(1.0e-3)));
+  float size = max(abs(t), max(abs(position.x), max(abs(position.y), abs(position.z)))) + 1.0;
+  float moved = rounding * size * max(flatness.x, max(flatness.y, flatness.z));
+  add_error(opacity_of(extinction_scale * depth * moved));
 }
 
 // What 32-bit positions and values may do to the field in a cell: nothing where all its corners are equal.

@@ -80,7 +80,7 @@ void add_level_error(March m, bool is_above, float error, float length) {
   float opacity = 0.0;
 #if PEAKS
   ivec2 surfaces = surfaces_above(min(m.index, beyond));
-  for (int i = surfaces.x; i < surfaces.y; ++i) opacity += peaks[i].color_opacity.a;
+  for (int i = surfaces.x; i < surfaces.y; ++i) opacity += 2.0 * peaks[i].color_opacity.a;  // there and back
 #endif
   add_error(turn_error(tf_piece(beyond), is_above ? 0.0 : 1.0, error, length, opacity));
 }
@@ -91,16 +91,16 @@ void add_near_levels(March m, float error, float length) {
 }
 
 // Where a part begins: the field may have turned, or the ray have begun, on the other side of a level.
-void add_begin_error(March m, CellPart part, float length) {
+void add_begin_error(Ray ray, March m, CellPart part, float length) {
   if (m.s == 0.0) value_error = value_error_of(range_of(m.corners), m.walk.t, m.walk.origin);
   float error = min(value_error, error_before), reach = length * share_within_error(part.p.x, 2.0 * part.p.y);
-  if (m.is_first) add_end_error(depth_in(m.piece, fraction_of(m.piece, m.offsets.above_low)), part.t);
+  if (m.is_first) add_end_error(ray, depth_in(m.piece, fraction_of(m.piece, m.offsets.above_low)), part.t);
   if (m.is_first || part.rise * rise_before < 0.0) add_near_levels(m, error, reach + reach_before);
 }
 
 // Where the ray ends.
-void add_exit_error(March m) {
-  add_end_error(depth_in(m.piece, fraction_of(m.piece, m.offsets.above_low)), m.walk.t);
+void add_exit_error(Ray ray, March m) {
+  add_end_error(ray, depth_in(m.piece, fraction_of(m.piece, m.offsets.above_low)), m.walk.t);
   if (!m.is_first) add_near_levels(m, value_error, reach_before);
 }
 
@@ -138,7 +138,7 @@ void march_part(Ray ray, inout March m) {
   bool up = part.rise >= 0.0, stays = part.rise == 0.0 && begin.below_high == 0.0 && length > 0.0;
   bool meets = up ? ending.below_high < 0.0 || stays : ending.above_low < 0.0;
 #if STATISTICS
-  add_begin_error(m, part, length);
+  add_begin_error(ray, m, part, length);
 #endif
   float target = up ? begin.below_high : -begin.above_low;
   if (meets) {
@@ -203,7 +203,7 @@ void march_cells(Ray ray, Span span) {
 #endif
     if (m.more) march_part(ray, m);
 #if STATISTICS
-    if (!m.more) add_exit_error(m);
+    if (!m.more) add_exit_error(ray, m);
 #endif
   }
 }

@@ -76,6 +76,30 @@ TEST_F(Picture, SamplesOfASlabByHand) {
   for (const glm::vec4& pixel : image.pixels) ASSERT_NEAR(pixel.a, 0.75, 1e-6);
 }
 
+// Whatever the preset's step: the exact march, and how far each pixel may be off.
+TEST_F(Picture, Exact) {
+  const Words spiky = {
+      "--preset", "dirac-shell", "--mode",  "DVR_ONLY",      "--set",          "rendering.shading=none",
+      "--step",   "4",           "--exact", "--error-bound", path("bound.exr")};
+  const auto json = json_of(render("exact.exr", spiky + Words{"--json"}));
+  output_of(render("cpu.exr", {"--preset", "dirac-shell", "--mode", "DVR_ONLY", "--engine", "reference"}));
+  const Image exact = read_image(path("exact.exr")), cpu = read_image(path("cpu.exr")),
+              bound = read_image(path("bound.exr"));
+  ASSERT_EQ(bound.size, exact.size);
+  double greatest = 0;
+  for (std::size_t i = 0; i < exact.pixels.size(); ++i) {
+    greatest = std::max(greatest, double(bound.pixels[i].r));
+    for (int channel = 0; channel < 4; ++channel)
+      ASSERT_NEAR(exact.pixels[i][channel], cpu.pixels[i][channel], bound.pixels[i].r);
+  }
+  EXPECT_GT(greatest, 0);
+  EXPECT_EQ(json["error_at_most"]["greatest"].get<double>(), greatest);
+  EXPECT_GT(json["error_at_most"]["share_within_1_255"].get<double>(), 0.95);
+  expect_error(2, render("a.png", {"--exact", "--set", "rendering.filter=bspline"}), {"--exact", "bspline"});
+  expect_error(2, render("a.png", {"--exact", "--engine", "reference"}), {"--exact", "reference"});
+  expect_error(2, render("a.png", {"--error-bound", path("b.png")}), {"--error-bound", "--exact"});
+}
+
 TEST_F(Picture, StatisticsHaveTheDocumentedKeys) {
   const auto json = json_of(
       render("a.png", {"--preset", "four-peaks", "--frames", "3", "--json", "--mode", "PEAK_XOR_DVR"}));

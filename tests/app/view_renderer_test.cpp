@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "presets/preset_file.h"
 #include "render/scene/camera.h"
+#include "render/scene/error_colors.h"
+#include "render/scene/exact.h"
 #include "render/volume/builtin.h"
 #include "tests/debug_context.h"
 
@@ -73,6 +77,46 @@ TEST_F(Views, ACoarsePictureMakesNoTableOfItsOwn) {
   };
   const int with_a_table = made_by_an_edit(ClassificationMethod::preintegrated_table);
   EXPECT_EQ(with_a_table, 2) << "the classification, and one table";
+}
+
+/// What a view shows, as RGB in [0, 1].
+std::vector<glm::vec3> shown(const ViewPicture& picture, glm::ivec2 size) {
+  std::vector<glm::vec3> pixels(std::size_t(size.x) * std::size_t(size.y));
+  glGetTextureImage(GLuint(picture.texture), 0, GL_RGB, GL_FLOAT, GLsizei(pixels.size() * sizeof(glm::vec3)),
+                    pixels.data());
+  return pixels;
+}
+
+// Of an exact scene comes first what samples make of it, and at last what the exact march does.
+TEST_F(Views, GoOnToTheExactPicture) {
+  for (ViewRequest& request : requests) request.scene.rendering = exact_rendering(request.scene.rendering);
+  const glm::ivec2 size = requests[0].size = {640, 480};  // takes so long that a preview comes first
+  EXPECT_GT(finish(1e-3, true), 0);
+  expect_all_done();
+  gl::RenderTarget target(size, false);
+  views.renderer().draw(requests[0].scene, requests[0].camera, target);
+  const Image exact = target.read_color();
+  const std::vector<glm::vec3> pixels = shown(views.picture(0), size);
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    for (int c = 0; c < 3; ++c) ASSERT_NEAR(pixels[i][c], exact.pixels[i][c], 0.51 / 255) << i;
+  for (int i = 0; i < view_count; ++i) {
+    EXPECT_TRUE(views.picture(i).is_exact);
+    EXPECT_GT(views.picture(i).share_within.value_or(0), 0.9);
+  }
+}
+
+// In place of the picture: black where nothing is, and nowhere that an exact picture is far off.
+TEST_F(Views, ShowHowFarAPixelMayBeOff) {
+  for (ViewRequest& request : requests) {
+    request.scene.rendering = exact_rendering(request.scene.rendering);
+    request.error_bound = true;
+  }
+  EXPECT_GT(finish(1e9, false), 0);
+  expect_all_done();
+  const auto pixels = shown(views.picture(2), requests[2].size);
+  const float brightest = std::ranges::max(pixels, {}, [](glm::vec3 p) { return p.r; }).r;
+  EXPECT_NEAR(pixels.front().r, error_color(0).r, 1.0 / 255);
+  EXPECT_GT(brightest, error_color(2e-5).r) << "float rounds";
 }
 
 // What cannot be drawn leaves nothing behind that keeps the others from being drawn and timed.

@@ -246,6 +246,16 @@ TEST_F(Views, AViewIsEnlargedAndPutBack) {
   EXPECT_EQ(state->views.enlarged, 1);
 }
 
+TEST_F(Views, GoOnToTheExactPictureUnlessToldOtherwise) {
+  EXPECT_EQ(requests.shown_picture, ShownPicture::exact);
+  EXPECT_EQ(key('X').shown_picture, ShownPicture::as_set);
+  EXPECT_EQ(key('B').shown_picture, ShownPicture::error_bound);
+  EXPECT_EQ(key('B').shown_picture, ShownPicture::exact);
+  key('B');
+  EXPECT_EQ(key('X').shown_picture, ShownPicture::as_set) << "there is no bound of samples";
+  EXPECT_EQ(key('X').shown_picture, ShownPicture::exact);
+}
+
 TEST_F(Views, AWarningStandsInItsViewAlone) {
   for (int i = 0; i < view_count; ++i) EXPECT_FALSE(has(fmt::format("warning{}", i)));
   const int quiet = ImGui::GetDrawData()->CmdListsCount;

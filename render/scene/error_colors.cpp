@@ -1,4 +1,4 @@
-#include "render/measure/error_colors.h"
+#include "render/scene/error_colors.h"
 
 #include <algorithm>
 #include <array>
