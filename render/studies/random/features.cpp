@@ -20,6 +20,9 @@ struct Design {
     point.opacity = opacity;
     tf.points.push_back(point);
   }
+  bool has_surface() const {
+    return std::ranges::any_of(tf.points, [](const auto& p) { return p.surface.mode == SurfaceMode::on; });
+  }
   /// The last point is a surface.
   void show(double opacity) { tf.points.back().surface = {SurfaceMode::on, opacity}; }
 };
@@ -59,7 +62,7 @@ void step(Design& design, double place) {
   design.add(place, design.level);
   design.level = design.level > 0.1 ? design.dice.between(0, 0.05) : design.dice.between(0.15, 0.7);
   design.add(place, design.level);
-  if (!design.dice.one_in(3)) design.show(design.dice.between(0.2, 0.9));
+  if (!design.has_surface() || !design.dice.one_in(3)) design.show(design.dice.between(0.2, 0.9));
 }
 
 /// Near-Dirac, down to no width at all.

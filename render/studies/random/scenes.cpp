@@ -26,9 +26,10 @@ std::vector<RandomScene> random_scenes(std::uint64_t seed) {
     const ViewKind& view = view_kinds()[views[i]];
     RandomScene random{
         std::string(field.name), std::string(feature.name), std::string(view.name), field.labels, {}, {}};
-    random.scene.volume = field.make(dice);
-    random.scene.tf = feature.make(dice, *random.scene.volume, field.labels);
-    random.camera = view.make(dice, random.scene.volume->grid);
+    Dice own{Random(dice.random.bits())};
+    random.scene.volume = field.make(own);
+    random.scene.tf = feature.make(own, *random.scene.volume, field.labels);
+    random.camera = view.make(own, random.scene.volume->grid);
     scenes.push_back(std::move(random));
   }
   return scenes;
