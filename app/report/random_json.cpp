@@ -101,6 +101,16 @@ std::string line_of(const MethodSummary& summary) {
   return text + "\n";
 }
 
+std::string best_of(const SceneGroup& group) {
+  const MethodSummary* best = best_sampled(group.summaries);
+  if (!best) return "";
+  std::string text = fmt::format("Best of the sampled methods of PEAK_XOR_DVR: {}:", best->method);
+  for (const StepSummary& step : best->steps)
+    text += fmt::format(" {} % at 1/{:g}{}", percent(step.within()), 1 / step.step,
+                        &step == &best->steps.back() ? "\n" : ",");
+  return text;
+}
+
 std::string head_of_table() {
   return fmt::format("{:<17} {:<31} {:>8} {:>8} {:>8} {:>8} {:>5} {:>5} {:>5} {:>5} {:>5} {:>5} {:>11}\n",
                      "method", "against", "1/2", "1/8", "1/32", "worst", "scene", "order", "order", "1/2",
@@ -177,7 +187,7 @@ std::string random_table(const RandomReport& report) {
         group.title, group.scenes, report.seed, outlier_difference);
     text += head_of_table();
     for (const MethodSummary& summary : group.summaries) text += line_of(summary);
-    text += "\n";
+    text += best_of(group) + "\n";
   }
   return text + faults_of(report);
 }

@@ -94,7 +94,9 @@ TEST(RandomSummary, TheBestSampledMethodHasStepsAndBothSurfacesAndVolume) {
       measured(0, "xor", 0.5, Answer::base_and_crossings, 10, 1, 0),
       measured(0, "xor", 0.125, Answer::base_and_crossings, 10, 3, 0),
       measured(0, "xor-pre", 0.5, Answer::base_and_crossings, 10, 4, 0),
-      measured(0, "xor-pre", 0.125, Answer::base_and_crossings, 10, 2, 0)};
+      measured(0, "xor-pre", 0.125, Answer::base_and_crossings, 10, 2, 0),
+      measured(0, "xor-linear-exact", 0.5, Answer::base_and_crossings, 10, 5, 0),
+      measured(0, "xor-linear-exact", 0.125, Answer::base_and_crossings, 10, 2, 0)};
   const auto summaries = summarize(list, every_scene);
   ASSERT_NE(best_sampled(summaries), nullptr);
   EXPECT_EQ(best_sampled(summaries)->method, "xor-pre");

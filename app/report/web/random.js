@@ -34,8 +34,8 @@ function findings() {
   const lines = [];
   for (const group of data.groups.filter((g) => g.id !== "all" && g.best_sampled !== null)) {
     const best = group.summaries.find((s) => s.method === group.best_sampled);
-    lines.push(`${group.title}: the best of the sampled methods that show peaks and base TF is ${methodOf[best.method].name} (${best.method}): within 1/255 in ` +
-               `${best.steps.map((s) => `${share(s.within)} of the pixels at ${stepText(s.step)}`).join(", ")}; worst at ${stepText(finest(best).step)} is ${sceneText(finest(best).worst_scene)}.`);
+    lines.push(`${group.title}: the best of the sampled methods that show peaks and base TF is ${methodOf[best.method].name} (${best.method}): of the pixels within 1/255 are ` +
+               `${best.steps.map((s) => `${share(s.within)} at ${stepText(s.step)}`).join(", ")}; worst at ${stepText(finest(best).step)} is ${sceneText(finest(best).worst_scene)}.`);
   }
   for (const s of groupOf.all.summaries.filter((s) => finest(s).step === null))
     lines.push(`${methodOf[s.method].name} (${s.method}): ${share(finest(s).within)} of ${number(finest(s).pixels)} pixels within 1/255, ` +

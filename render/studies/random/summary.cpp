@@ -69,10 +69,14 @@ std::vector<MethodSummary> summarize(std::span<const RandomMeasurement> measurem
 
 const MethodSummary* best_sampled(std::span<const MethodSummary> summaries) {
   const MethodSummary* best = nullptr;
-  const auto wrong = [](const MethodSummary& s) { return 1 - s.steps.back().within(); };
+  const auto is_better = [](const MethodSummary& a, const MethodSummary& b) {
+    return std::ranges::lexicographical_compare(a.steps.rbegin(), a.steps.rend(), b.steps.rbegin(),
+                                                b.steps.rend(), std::greater{}, &StepSummary::within,
+                                                &StepSummary::within);
+  };
   for (const MethodSummary& s : summaries)
     if (s.answer == ExactAnswer(Answer::base_and_crossings) && s.steps.back().step > 0 &&
-        (!best || wrong(s) < wrong(*best)))
+        (!best || is_better(s, *best)))
       best = &s;
   return best;
 }

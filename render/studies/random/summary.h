@@ -38,7 +38,8 @@ std::vector<MethodSummary> summarize(std::span<const RandomMeasurement> measurem
                                      const std::function<bool(int scene)>& is_asked_for);
 
 /// Of the methods with a step that show surfaces and volume once (`base+crossings`) of the trilinear field,
-/// the one with the fewest wrong pixels at its finest step. Null where there is none.
+/// the one with the least share of wrong pixels at its finest step; of several, at the one before. Null where
+/// there is none.
 const MethodSummary* best_sampled(std::span<const MethodSummary> summaries);
 
 /// That of a method against its first answer; null where it is not there.
