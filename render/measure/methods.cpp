@@ -15,7 +15,7 @@ namespace {
 constexpr Method table[] = {
     {"dvr", "DVR, equal steps, rounded up", "mode=DVR_ONLY",
      "Steps over what is thinner than a step: thin peaks are lost, steps of the TF land up to half a step "
-     "off."},
+     "off; its table of the TF blurs what is narrower than an entry at any step."},
     {"dvr-entry-exit", "DVR, equal steps, rounded down", "mode=DVR_ONLY placement=entry_exit",
      "As dvr; takes no sample of a ray that is shorter than a step, so corners are lost."},
     {"dvr-entry", "DVR, steps counted from the entry", "mode=DVR_ONLY placement=entry",
