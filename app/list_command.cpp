@@ -38,7 +38,8 @@ void list_methods() {
     std::string answers;
     for (const ExactAnswer& exact : exact_answers_of(method))
       answers += fmt::format("{} {}", answers.empty() ? "" : ",", name_of(exact));
-    fmt::print("  {:<16} {}\n{:18} {}; against{}\n", method.id, method.name, "", method.settings, answers);
+    fmt::print("  {:<16} {}\n{:18} {}; against{}\n{:18} {}\n", method.id, method.name, "", method.settings,
+               answers, "", method.limits);
   }
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <charconv>
 #include <chrono>
 #include <regex>
 
@@ -25,9 +26,9 @@ namespace {
 struct ReportOptions {
   SceneOptions scene;
   std::string output, size = "256x256", study, data_folder, budget = "120s",
-                      target = to_string(default_target());
+                      target = to_string(default_target()), seed = "1";
   int device = -1;
-  bool json = false, size_is_given = false, budget_is_given = false;
+  bool json = false, size_is_given = false, budget_is_given = false, seed_is_given = false;
   std::string command;  ///< as typed
 };
 
@@ -40,6 +41,14 @@ std::optional<double> budget_seconds(const std::string& text) {
     throw UsageError("--budget", fmt::format("'{}' is not a time, as in 90s, 2m or 1h, nor 'none'", text));
   const double unit = match[2] == "h" ? 3600 : match[2] == "m" ? 60 : 1;
   return unit * std::stod(match[1]);
+}
+
+std::uint64_t seed_of(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (text.empty() || fault != std::errc{} || end != text.data() + text.size())
+    throw UsageError("--seed", fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text));
+  return seed;
 }
 
 TargetError target_error(const std::string& text) {
@@ -141,6 +150,7 @@ void run_study(const ReportOptions& options, std::stop_token stop) {
   if (options.budget_is_given) study_options.budget_seconds = budget_seconds(options.budget);
   study_options.data_folder = options.data_folder;
   study_options.device = options.device;
+  study_options.seed = seed_of(options.seed);
   study_options.json = options.json;
   study_options.command = options.command;
   study_options.stop = stop;
@@ -157,10 +167,21 @@ void run_report(const ReportOptions& options) {
     run_study(options, interrupt.token());
 }
 
+std::string studies_with_seed() {
+  std::string names;
+  for (const Study& study : studies())
+    if (study.takes_seed) names += (names.empty() ? "" : ", ") + std::string(study.name);
+  return names;
+}
+
 /// Throws UsageError where one is wrong, or has no part in what is asked for.
 void check_options(const ReportOptions& options) {
   budget_seconds(options.budget);
   target_error(options.target);
+  seed_of(options.seed);
+  if (options.seed_is_given && (options.study.empty() || !find_study(options.study).takes_seed))
+    throw UsageError("--seed", fmt::format("only of a study whose scenes are made by chance: --study {}",
+                                           studies_with_seed()));
   if (options.study.empty()) {
     if (options.scene.volume.empty()) throw UsageError("VOLUME, or --study", "one of them is required");
     return;
@@ -208,6 +229,9 @@ void add_report_command(Options app, Action& chosen) {
       .shows_default()
       .type_name("LIMIT")
       .excludes(study);
+  command.add("--seed", options->seed, "Which random scenes: a number, for --study random")
+      .shows_default()
+      .type_name("N");
   command
       .add("--data", options->data_folder,
            "A folder of real volumes, for studies that use those of them that are there")
@@ -218,6 +242,7 @@ void add_report_command(Options app, Action& chosen) {
   command.when_read([options, command, &chosen] {
     options->size_is_given = command.is_given("--size");
     options->budget_is_given = command.is_given("--budget");
+    options->seed_is_given = command.is_given("--seed");
     check_options(*options);
     options->command = command.text();
     chosen = [options] { run_report(*options); };

@@ -101,7 +101,8 @@ Json convergence_json(const MethodConvergence& convergence) {
 
 Json method_json(const Report& report, const Method& method,
                  const std::vector<MethodConvergence>& convergences) {
-  Json json{{"id", method.id}, {"name", method.name}, {"settings", method.settings}};
+  Json json{
+      {"id", method.id}, {"name", method.name}, {"settings", method.settings}, {"limits", method.limits}};
   const auto start = std::ranges::find(report.starts, method.id, &MethodStart::method);
   json["first_frame_ms"] = start == report.starts.end() ? Json() : Json(start->first_frame_ms);
   json["edit_ms"] = start == report.starts.end() ? Json() : Json(start->edit_ms);

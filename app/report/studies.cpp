@@ -2,6 +2,7 @@
 
 #include "app/report/knoll_study.h"
 #include "app/report/placement_study.h"
+#include "app/report/random_study.h"
 #include "app/report/vdls_study.h"
 
 namespace crest {
@@ -13,6 +14,8 @@ std::span<const Study> studies() {
       {"knoll", "peak finding's tables, figures and claims (Knoll et al. 2009) again", run_knoll_study, false,
        true},
       {"vdls", "view-dependent layer sampling beside the ray caster", run_vdls_study, false, true},
+      {"random", "every method on twelve random scenes (--seed) against the exact answers", run_random_study,
+       false, true, true},
   };
   return table;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <glm/vec2.hpp>
@@ -21,9 +22,10 @@ struct StudyOptions {
   std::optional<double> budget_seconds;  ///< where --budget was given, and is not "none"
   std::string data_folder;               ///< of real volumes; empty where none was given
   int device = -1;
-  bool json = false;     ///< also print its JSON
-  std::string command;   ///< as typed, for the page
-  std::stop_token stop;  ///< asked for by Ctrl-C
+  bool json = false;       ///< also print its JSON
+  std::uint64_t seed = 1;  ///< of what a study makes by chance
+  std::string command;     ///< as typed, for the page
+  std::stop_token stop;    ///< asked for by Ctrl-C
 };
 
 /// A report on one question, with scenes of its own.
@@ -32,6 +34,7 @@ struct Study {
   void (*run)(const StudyOptions& options);
   bool takes_volume = false;  ///< VOLUME and the options of its scene, in place of a scene of its own
   bool takes_budget = false;  ///< and leaves out what it has no time for
+  bool takes_seed = false;    ///< of scenes that it makes by chance
 };
 
 /// All studies: a new one is a line here.

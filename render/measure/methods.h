@@ -16,14 +16,15 @@ struct Method {
   std::string_view id;        ///< "dvr-eye": in files and on the command line
   std::string_view name;      ///< for people
   std::string_view settings;  ///< fields of "rendering", as in "mode=DVR_ONLY placement=eye"
+  std::string_view limits;    ///< what it cannot do, in a sentence or two for people
   bool has_step = true;       ///< whether rendering.step refines it
   /// Where this is not 0, s_k refines it in the step's stead, and is the step times this: 8 makes the
   /// defaults of both, 0.5 and 4, meet.
   double s_k_per_step = 0;
 };
 
-/// All methods. One that is added to this table is in the report, the studio's diagram and `crest list
-/// methods`.
+/// All methods. One that is added to this table is in the report, the studies, the studio's diagram and
+/// `crest list methods`.
 std::span<const Method> methods();
 
 /// Null where there is none of this id.

@@ -81,6 +81,7 @@ TEST(ReportJson, TheSchemaSeesFaults) {
   EXPECT_TRUE(is_refused("/points/1/errors/0/compared/share", 1.5));
   EXPECT_TRUE(is_refused("/points/1/errors/0/answer", "best"));
   EXPECT_TRUE(is_refused("/answers/0/picture", "/tmp/a.png"));
+  EXPECT_TRUE(is_refused("/methods/0/limits", ""));
   EXPECT_TRUE(is_refused("/more", 1));
   json wrong = right;
   wrong.erase("points");
@@ -106,6 +107,7 @@ TEST(ReportJson, HoldsWhatWasMeasuredAndWhatFollows) {
   EXPECT_EQ(crossings["crossings_per_ray"], 0.5);
   EXPECT_EQ(report["methods"].size(), 1u);
   EXPECT_EQ(report["methods"][0]["first_frame_ms"], 100);
+  EXPECT_EQ(report["methods"][0]["limits"], std::string(find_method("dvr")->limits));
   EXPECT_EQ(report["left_out"][0]["what"], "peaks");
   EXPECT_EQ(report["complete"], true);
 }

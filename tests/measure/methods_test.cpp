@@ -24,6 +24,20 @@ TEST(Methods, HaveNamesOfTheirOwn) {
   EXPECT_EQ(find_method("none-such"), nullptr);
 }
 
+// Each says what it cannot do, in whole sentences; "As dvr" leads to a method that says it itself.
+TEST(Methods, SayWhatTheyCannotDo) {
+  for (const Method& method : methods()) {
+    const std::string limits(method.limits);
+    ASSERT_FALSE(limits.empty()) << method.id;
+    EXPECT_TRUE(limits.ends_with('.')) << method.id;
+    EXPECT_EQ(limits.find_first_of("\n\";") == 0, false) << method.id;
+    if (!limits.starts_with("As ")) continue;
+    const Method* other = find_method(limits.substr(3, limits.find_first_of(",;.") - 3));
+    ASSERT_NE(other, nullptr) << method.id << ": " << limits;
+    EXPECT_FALSE(other->limits.starts_with("As ") && other->limits.find(method.id) != limits.npos);
+  }
+}
+
 TEST(Methods, SetFieldsThatThereAre) {
   std::set<std::string> presets;
   for (const Method& method : methods()) {

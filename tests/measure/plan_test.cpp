@@ -36,7 +36,7 @@ TEST(Plan, BeginsWithEveryMethodFromCoarseToFine) {
 }
 
 TEST(Plan, AMethodWithoutAStepHasOnePoint) {
-  const Method fixed{"fixed", "Fixed", "mode=DVR_ONLY", false};
+  const Method fixed{"fixed", "Fixed", "mode=DVR_ONLY", "", false};
   const auto plan = plan_points(std::vector{&fixed}, {}, default_target());
   ASSERT_EQ(plan.size(), 1u);
   EXPECT_EQ(plan[0].why, Why::coverage);

@@ -6,27 +6,10 @@
 #include <limits>
 
 #include "render/scene/camera.h"
-#include "render/volume/random.h"
+#include "render/studies/random/dice.h"
 
 namespace crest::testing {
 namespace {
-
-/// Choices by chance.
-struct Dice {
-  Random random;
-
-  double between(double min, double max) { return random.uniform(min, max); }
-  glm::dvec3 vector(double min, double max) {
-    const double x = between(min, max), y = between(min, max), z = between(min, max);
-    return {x, y, z};
-  }
-  int one_of(int count) { return int(random.bits() % std::uint64_t(count)); }
-  bool one_in(int count) { return one_of(count) == 0; }
-  template <class T>
-  T pick(std::initializer_list<T> choices) {
-    return choices.begin()[one_of(int(choices.size()))];
-  }
-};
 
 /// Values of -1 to 1, and what they are scaled to.
 float field_value(Dice& dice, int kind, glm::dvec3 place, glm::dvec3 waves) {

@@ -124,6 +124,10 @@ function fillConvergence() {
   fillTable(byId("convergence"), ["Method", "against", {number: "Order"}, "fitted on steps", {number: "Target at step"}, {number: "at"}], rows);
 }
 
+function fillLimits() {
+  fillTable(byId("limits"), ["Method", "in files", "Its limits"], data.methods.map((m) => [m.name, m.id, m.limits]));
+}
+
 function cardOf(point, error) {
   return element("div", {class: "panel", "data-point": data.points.indexOf(point)}, element("h3", {}, pointTitle(point)),
                  element("div", {class: "pair"}, figure(point.picture, `${ms(point.frame_ms)}, ${number(point.samples_per_ray)} samples a ray`),
@@ -195,6 +199,7 @@ fillHeader();
 fillRecommendation();
 drawCharts();
 fillConvergence();
+fillLimits();
 fillScale();
 fillPictures();
 fillDifferences();
