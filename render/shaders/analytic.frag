@@ -12,6 +12,7 @@ layout(location = 0) out vec4 out_color;
 #if LONG_RAYS
 // A pass renders these of a ray's intervals, each one smallest spacing long: some drivers end loops that are too long.
 uniform int first_interval, interval_count;
+precise float pass_begin;
 #endif
 #if EARLY_TERMINATION
 uniform float least_residual;
@@ -49,8 +50,9 @@ void main() {
     counts.w |= 0x80000000u;
 #endif
 #if LONG_RAYS
-    precise float begin = span.enter + float(first_interval), end = span.enter + float(first_interval + interval_count);
-    span = Span(begin, min(span.exit, end));
+    pass_begin = span.enter + float(first_interval);
+    precise float end = span.enter + float(first_interval + interval_count);
+    span = Span(pass_begin, min(span.exit, end));
 #endif
 #if DVR || PEAKS
     if (span.enter < span.exit) march_span(ray, span);

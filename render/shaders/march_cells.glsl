@@ -48,6 +48,16 @@ void find_piece(inout March m) {
   m.is_first = true;
 }
 
+#if LONG_RAYS
+// Where the pass before ended: on a level the field is still on the side that it comes from.
+void continue_piece(inout March m) {
+  float value = value_at(m.corners, entry_place(m.walk));
+  vec3 rise = rise_along(m.corners, entry_place(m.walk), exit_place(m.walk, exit_of(m.walk)));
+  if (above(value, m.piece.low_value) == 0.0 && rise.x > 0.0 && m.index > 0) m.piece = tf_piece(--m.index);
+  m.is_first = false;
+}
+#endif
+
 #if EMPTY_CELLS
 #define MAY_BE_EMPTY is_empty(m.walk)
 #else
@@ -186,6 +196,9 @@ void march_cells(Ray ray, Span span) {
 #endif
   m.more = true;
   find_piece(m);
+#if LONG_RAYS
+  if (first_interval > 0 && span.enter == pass_begin) continue_piece(m);
+#endif
   int most_cells = m.walk.cells.x + m.walk.cells.y + m.walk.cells.z;
   for (uint left = 3u * uint(most_cells) * uint(tf_piece_count); m.more && left > 0u && !TERMINATED; --left) {
     bool leave = m.s > 1.0 || (m.s == 0.0 && shows_nothing(m));

@@ -140,6 +140,25 @@ TEST_F(Analytic, PassesJoin) {
   EXPECT_LT(largest_difference(whole, render(scene, camera, {48, 48})), 1e-3);
 }
 
+// Surfaces that lie exactly where passes meet are crossed once.
+TEST_F(Analytic, SurfacesWherePassesMeet) {
+  Grid grid{glm::ivec3(9), glm::dvec3(1), glm::dvec3(0)};
+  const auto volume = make_volume(grid, [](glm::dvec3 p) { return p.x; });
+  Scene scene{volume, make_tf({}), {}};
+  for (int value = 1; value < 8; ++value)
+    for (const double opacity : {0.0, 0.2, 0.0}) scene.tf.points.push_back(point(value, opacity));
+  scene.rendering.mode = Mode::peak_only;
+  scene.rendering.classification = ClassificationMethod::analytic;
+  raycaster.force({.features = {}, .intervals_per_pass = 1});
+  for (const double side : {-1.0, 1.0}) {
+    Camera camera = whole_volume_camera(grid, 1);
+    camera.target = glm::dvec3(4);
+    camera.eye = camera.target + glm::dvec3(side * 16, 0, 0);
+    camera.up = {0, 0, 1};
+    EXPECT_EQ(draw(scene, camera, {1, 1}).crossings.front(), 7) << side;
+  }
+}
+
 // Thick materials with colours that change: light comes from their front.
 TEST_F(Analytic, ThickColouredMaterials) {
   for (const double unit : {1.0, 1e-1, 1e-3, 1e-5}) {
