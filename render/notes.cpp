@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <iterator>
 
+#include "presets/choices.h"
 #include "presets/names.h"
 #include "render/classify/classification.h"
 #include "render/raycaster/need.h"
@@ -25,6 +27,38 @@ std::string why_without(const FeatureList& features, std::string_view name) {
   return "";
 }
 
+/// The values that regions have throughout and at which the picture changes at once: at a step, at a spike's
+/// tip, at a surface.
+std::vector<float> regions_on_edges(const Scene& scene) {
+  const Classification classification = classify(scene.tf, surface_range(scene));
+  const auto& points = scene.tf.points;
+  const auto is_edge = [&](float value) {
+    const double v = double(value);
+    const auto equal = [&](const ControlPoint& p) { return p.value == v; };
+    const auto is_here = [&](const Peak& p) {
+      return p.value == v && (p.spike || (p.shown && shows_surfaces(scene.rendering.mode)));
+    };
+    return (shows_dvr(scene.rendering.mode) && std::ranges::count_if(points, equal) > 1) ||
+           std::ranges::any_of(classification.peaks, is_here);
+  };
+  std::vector<float> edges;
+  std::ranges::copy_if(scene.volume->statistics.plateaus, std::back_inserter(edges), is_edge);
+  return edges;
+}
+
+std::string edge_note(const Scene& scene) {
+  if (is_analytic(scene.rendering.classification) || scene.volume->statistics.range.width() == 0) return "";
+  const std::vector<float> edges = regions_on_edges(scene);
+  if (edges.empty()) return "";
+  const std::string values = edges.size() == 1 ? fmt::format("the value {:g}", edges.front())
+                                               : fmt::format("values such as {:g}", edges.front());
+  return fmt::format(
+      "Regions of the volume have {} throughout, at which the transfer function has a step, a spike or a "
+      "surface: samples beside it fall on either side. The exact picture (classification analytic, --exact) "
+      "is right there.",
+      values);
+}
+
 }  // namespace
 
 std::vector<std::string> scene_notes(const Scene& scene) {
@@ -41,6 +75,7 @@ std::vector<std::string> scene_notes(const Scene& scene) {
         fmt::format("No point of the transfer function, from {:.6g} to {:.6g}, lies in the volume's range, "
                     "from {:.6g} to {:.6g}: mapping it onto the range (--fit-range) would show it.",
                     span.min, span.max, range.min, range.max));
+  if (std::string note = edge_note(scene); !note.empty()) notes.push_back(std::move(note));
   return notes;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "render/volume/differences.h"
+#include "render/volume/plateaus.h"
 #include "render/volume/volume.h"
 
 namespace crest {
@@ -87,6 +88,7 @@ VolumeStatistics compute_statistics(const Grid& grid, const std::vector<float>& 
     statistics.empty_min = empty.min;
     statistics.empty_max = empty.max;
   }
+  statistics.plateaus = find_plateaus(grid, values);
   statistics.histogram = histogram_of(values, statistics.range, bins);
   return statistics;
 }

@@ -40,6 +40,7 @@ struct VolumeStatistics {
   glm::dvec3 largest_difference{0};
   /// Between these grid points, both ends included, lie all empty cells; max < min when there is none.
   glm::ivec3 empty_min{0}, empty_max{-1};
+  std::vector<float> plateaus;  ///< values that regions have throughout (plateaus.h), ascending
 };
 
 /// Where a volume's voxels are, for other programs to read.

@@ -70,7 +70,7 @@ Race skipping_race(const std::string& name, const Frame& frame) {
 }
 
 /// Haze where the field is above a threshold, so that more or less of the macrocells show something.
-Race share_race(const std::shared_ptr<const Volume>& noise, double threshold) {
+Race share_race(const std::shared_ptr<const Volume>& noise, double threshold, ClassificationMethod method) {
   Scene scene = make_scene(noise, load_preset("smooth-haze"));
   scene.tf.domain = Domain::data;
   const auto point = [](double value, double opacity) {
@@ -81,11 +81,12 @@ Race share_race(const std::shared_ptr<const Volume>& noise, double threshold) {
                      point(noise->statistics.range.max, 0.2)};
   scene.rendering.mode = Mode::dvr_only;
   scene.rendering.shading = Shading::none;
+  scene.rendering.classification = method;
   const Macrocells cells = build_macrocells(*noise, {}, macrocell_side(noise->grid, noise->statistics));
   const auto shown = std::ranges::count_if(cells.max, [&](float most) { return most > threshold; });
   Frame skipping{scene};
   skipping.forced.features.skipping = true;
-  return {fmt::format("with skipping to without, {:.0f} % of the macrocells show",
+  return {fmt::format("with skipping to without, {}, {:.0f} % of the macrocells show", name_of(method),
                       100.0 * double(shown) / double(cells.count())),
           skipping, with({scene}, &Rendering::skipping, false), 1};
 }
@@ -141,7 +142,9 @@ std::vector<Race> races(const std::filesystem::path& fetch_loop) {
     list.push_back(analytic_race("vessels", "vessels?n=128", "vessels-shell", mode, 1.2));
   }
   const auto noise = std::make_shared<const Volume>(make_builtin("noise?n=96"));
-  for (const double threshold : {0.4, 0.6, 0.8, 1.0, 1.3, 1.6}) list.push_back(share_race(noise, threshold));
+  for (const auto method : {ClassificationMethod::post, ClassificationMethod::analytic})
+    for (const double threshold : {0.4, 0.6, 0.8, 1.0, 1.3, 1.6})
+      list.push_back(share_race(noise, threshold, method));
   if (const auto real = real_vessels()) list.push_back(skipping_race("aneurism", *real));
   return list;
 }

@@ -35,6 +35,27 @@ std::vector<std::string> notes_of(Renderer& renderer, const Scene& scene, const 
   return picture_notes(scene, camera, target.read_color());
 }
 
+// Samples beside a region whose value is that of a step, a spike or a surface fall on either side of it.
+TEST_F(Notes, TellOfRegionsOnEdges) {
+  Scene labels = scene_of_values([](glm::dvec3 p) { return p.x < 3.5 ? 0.0 : 1.0; });
+  const auto notes = [&](const TransferFunction& tf, Mode mode, ClassificationMethod method) {
+    labels.tf = tf;
+    labels.rendering.mode = mode;
+    labels.rendering.classification = method;
+    return scene_notes(labels);
+  };
+  const TransferFunction step = make_tf({point(0, 0), point(1, 0), point(1, 0.9)}),
+                         beside = make_tf({point(0, 0), point(0.5, 0), point(0.5, 0.9)}),
+                         wide = make_tf({point(0, 0), point(1, 0.9), point(2, 0)});
+  const auto post = ClassificationMethod::post;
+  ASSERT_EQ(notes(step, Mode::dvr_only, post).size(), 1);
+  EXPECT_NE(notes(step, Mode::dvr_only, post)[0].find("--exact"), std::string::npos);
+  EXPECT_TRUE(notes(step, Mode::dvr_only, ClassificationMethod::analytic).empty());
+  EXPECT_TRUE(notes(beside, Mode::dvr_only, post).empty());
+  EXPECT_TRUE(notes(wide, Mode::dvr_only, post).empty()) << "no edge, but a surface";
+  EXPECT_EQ(notes(wide, Mode::peak_only, post).size(), 1);
+}
+
 TEST_F(Notes, SayWhyAPictureShowsNothing) {
   const Camera camera = whole_volume_camera(ramp_scene().volume->grid, 1);
   Camera away = camera;

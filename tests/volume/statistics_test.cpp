@@ -17,6 +17,17 @@ VolumeStatistics statistics_of(const std::vector<float>& values, int bins = hist
   return compute_statistics(grid, values, bins);
 }
 
+// Regions of one value: in some cells of a row; a value in one slice alone has none; NaN equals nothing.
+TEST(Statistics, Plateaus) {
+  std::vector<float> values;
+  for (const float v : {3.F, 3.F, 3.F, 3.F, 1.F, 1.F, 2.F, NAN, NAN, 3.F, 3.F})
+    values.insert(values.end(), 4, v);
+  EXPECT_EQ(statistics_of(values).plateaus, (std::vector<float>{1, 3}));
+  values[4] = 0;
+  EXPECT_EQ(statistics_of(values).plateaus, (std::vector<float>{1, 3}));
+  EXPECT_TRUE(statistics_of({1, 2, 3, 4, 5, 6, 7, 8}).plateaus.empty());
+}
+
 TEST(Statistics, OfAFewValues) {
   const auto s = statistics_of({1, 2, 3, NAN, 6, INFINITY, -INFINITY, NAN}, 5);
   EXPECT_EQ(s.range, (ValueRange{1, 6}));
