@@ -1,13 +1,17 @@
 #include <fmt/core.h>
 
+#include "app/auto_choice.h"
 #include "app/cache_folder.h"
 #include "app/commands.h"
 #include "app/exact_picture.h"
 #include "app/offscreen_context.h"
 #include "app/picture.h"
 #include "app/scene_options.h"
+#include "presets/error.h"
 #include "presets/json.h"
 #include "render/files/load.h"
+#include "render/measure/probe_scene.h"
+#include "render/measure/timing.h"
 #include "render/scene/camera.h"
 
 namespace crest {
@@ -16,6 +20,7 @@ namespace {
 struct RenderOptions {
   SceneOptions scene;
   PictureOptions picture;
+  AutoOptions automatic;
 };
 
 void print_statistics(nlohmann::ordered_json json, const std::string& renderer) {
@@ -42,12 +47,41 @@ void render_exactly(const Scene& scene, const Camera& camera, const PictureOptio
   if (options.json) print_statistics(statistics_json(picture, scene), exact_renderer);
 }
 
+/// With the setting that suits scene and view: see choose_setting().
+void render_as_chosen(Scene scene, const Camera& camera, const RenderOptions& all) {
+  const PictureOptions& options = all.picture;
+  if (const std::string why = why_without_answer(scene.rendering); !why.empty()) throw Error(why);
+  const OffscreenContext context(options.device);
+  const auto renderer = std::make_shared<Renderer>(std::filesystem::path(), program_folder());
+  renderer->hold(scene.volume);
+  const ChoiceSettings settings = all.automatic.settings();
+  const glm::ivec2 size = options.pixels();
+  const Choice choice = *choose_setting(scene, size, probe_scene(renderer, scene, camera, size), settings);
+  scene.rendering = choice.rendering;
+  const auto picture = measure_pictures(*renderer, {scene}, camera, size, options.frames, options.json)[0];
+  write_image(options.output, picture.image, scene.rendering.background);
+  print_warnings(picture.warnings);
+  auto notes = picture.notes;
+  if (!choice.meets_target || !choice.fits_budget) notes.push_back("--auto: " + choice.why);
+  print_notes(notes);
+  if (!options.json) {
+    fmt::print("{}\n", choice_line(choice, settings.target, median(picture.frame_ms)));
+    return;
+  }
+  auto json = statistics_json(picture, *renderer, scene);
+  json["auto"] = choice_json(choice, settings);
+  print_statistics(json, context.renderer());
+}
+
 void render_picture(const RenderOptions& options) {
   const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
   const Preset preset = options.scene.read_preset(*volume, aspect);
+  const Scene scene = make_scene(volume, preset);
+  const Camera camera = camera_of(preset, volume->grid, aspect);
+  if (options.automatic.is_on) return render_as_chosen(scene, camera, options);
   const auto render = preset.rendering.engine == Engine::reference ? render_exactly : render_on_gpu;
-  render(make_scene(volume, preset), camera_of(preset, volume->grid, aspect), options.picture);
+  render(scene, camera, options.picture);
 }
 
 }  // namespace
@@ -58,7 +92,11 @@ void add_render_command(Options app, Action& chosen) {
   command.add("VOLUME", options->scene.volume, "What to render (crest --help)").required();
   options->scene.add_to(command);
   options->picture.add_to(command);
-  command.when_read([options, &chosen] { chosen = [options] { render_picture(*options); }; });
+  options->automatic.add_to(command);
+  command.when_read([options, &chosen] {
+    options->automatic.check(options->scene);
+    chosen = [options] { render_picture(*options); };
+  });
 }
 
 }  // namespace crest

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <regex>
 
+#include "app/auto_choice.h"
 #include "app/commands.h"
 #include "app/offscreen_context.h"
 #include "app/output_folder.h"
@@ -42,14 +43,6 @@ std::optional<double> budget_seconds(const std::string& text) {
   return unit * std::stod(match[1]);
 }
 
-TargetError target_error(const std::string& text) {
-  try {
-    return parse_target(text);
-  } catch (const Error& error) {
-    throw UsageError("--target-error", error.what());
-  }
-}
-
 const Study& find_study(const std::string& name) {
   std::string names;
   for (const Study& study : studies()) {
@@ -83,15 +76,11 @@ Report subject_of(const ReportOptions& options) {
   Report report;
   report.size = pixels_of(options.size);
   report.settings.budget_seconds = budget_seconds(options.budget);
-  report.settings.target = target_error(options.target);
+  report.settings.target = target_option(options.target);
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
   const Preset preset = options.scene.read_preset(*volume, aspect_of(report.size));
   report.scene = make_scene(volume, preset);
-  if (const BlendMode blend_mode = preset.rendering.blend_mode; blend_mode != BlendMode::semi_transparent)
-    throw Error(
-        fmt::format("rendering.illumination is {}, which has no exact answer to measure against: "
-                    "a report takes --illumination semi_transparent",
-                    name_of(blend_mode)));
+  if (const std::string why = why_without_answer(preset.rendering); !why.empty()) throw Error(why);
   report.camera = camera_of(preset, volume->grid, aspect_of(report.size));
   report.subject.command = options.command;
   report.subject.volume = options.scene.volume;
@@ -160,7 +149,7 @@ void run_report(const ReportOptions& options) {
 /// Throws UsageError where one is wrong, or has no part in what is asked for.
 void check_options(const ReportOptions& options) {
   budget_seconds(options.budget);
-  target_error(options.target);
+  target_option(options.target);
   if (options.study.empty()) {
     if (options.scene.volume.empty()) throw UsageError("VOLUME, or --study", "one of them is required");
     return;
