@@ -1,7 +1,5 @@
 #include "app/background_sweep.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,6 +7,7 @@
 
 #include "app/cache_folder.h"
 #include "app/offscreen_context.h"
+#include "app/thread_priority.h"
 #include "render/measure/measure_scene.h"
 #include "render/measure/methods.h"
 #include "render/measure/model_difference.h"
@@ -18,12 +17,7 @@ namespace {
 
 constexpr double longest_side = 256;
 constexpr int side_unit = 8;  ///< so that a view that grows by some pixels is the same subject
-constexpr int politeness = 5;
 constexpr double group_seconds = 1;
-
-/// This thread, and those that it starts, give way to the window's: a software renderer needs the same
-/// processors. (On Linux, priorities are of threads.)
-void lower_priority() { setpriority(PRIO_PROCESS, 0, politeness); }
 
 /// Of the exact answers that are there, one for each.
 std::vector<AnswerError> model_differences(const Sweep& sweep, const Rendering& scene) {
@@ -149,7 +143,7 @@ void BackgroundSweep::publish(const std::stop_token& stopped,
 }
 
 void BackgroundSweep::work(const std::stop_token& quit) {
-  lower_priority();
+  lower_thread_priority();
   std::optional<SweepRenderer> renderer;
   while (true) {
     SweepSubject subject;

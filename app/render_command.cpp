@@ -7,7 +7,6 @@
 #include "app/offscreen_context.h"
 #include "app/picture.h"
 #include "app/scene_options.h"
-#include "presets/error.h"
 #include "presets/json.h"
 #include "render/files/load.h"
 #include "render/measure/probe_scene.h"
@@ -50,7 +49,6 @@ void render_exactly(const Scene& scene, const Camera& camera, const PictureOptio
 /// With the setting that suits scene and view: see choose_setting().
 void render_as_chosen(Scene scene, const Camera& camera, const RenderOptions& all) {
   const PictureOptions& options = all.picture;
-  if (const std::string why = why_without_answer(scene.rendering); !why.empty()) throw Error(why);
   const OffscreenContext context(options.device);
   const auto renderer = std::make_shared<Renderer>(std::filesystem::path(), program_folder());
   renderer->hold(scene.volume);

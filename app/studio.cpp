@@ -251,6 +251,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.recent = recent_.list();
   inputs.performance = performance_;
   inputs.accuracy = &sweep_.results();
+  inputs.choice = &choice_.results();
   for (int i = 0; i < view_count; ++i) inputs.views[std::size_t(i)] = views_.picture(i);
   if (!loaded_.volume) return inputs;
   const Scene scene = make_scene(loaded_.volume, document_.preset);
@@ -285,6 +286,22 @@ void Studio::update_sweep(const StudioRequests& requests, bool interactive) {
                 now);
 }
 
+/// The setting is chosen for the view of the preset's own mode, or another where that is not to be seen.
+void Studio::update_choice(const StudioRequests& requests) {
+  if (requests.stop_choosing) choice_.stop();
+  glm::ivec2 size{0};
+  for (std::size_t i = 0; i < view_count; ++i)
+    if (const glm::ivec2 view = requests.view_pixels[i];
+        view.x > 0 && (size.x == 0 || view_modes[i] == document_.preset.rendering.mode))
+      size = view;
+  if (!loaded_.volume || size.x == 0) return;
+  const SweepSubject subject{make_scene(loaded_.volume, document_.preset),
+                             camera_of(document_.preset, loaded_.volume->grid, aspect_of(size)), size};
+  if (requests.choose) choice_.start(subject, {.target = *requests.choose});
+  if (choice_.is_running()) sweep_.rest_until(BackgroundSweep::Clock::now() + quiet);
+  if (const auto chosen = choice_.take(subject)) document_.preset.rendering = *chosen;
+}
+
 void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   take_loaded_volume();
   StudioInputs shown;
@@ -313,6 +330,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   tell_view_error();
   update_export_picture(requests);
   update_sweep(requests, interactive);
+  update_choice(requests);
   if (const std::string& error = views_.renderer().resources().programs.error(); !error.empty())
     say(error, true);
 }

@@ -309,6 +309,7 @@ void Search::settle() {
 
 std::optional<Choice> choose_setting(const Scene& scene, glm::ivec2 size, const SceneProbe& probe,
                                      const ChoiceSettings& settings, std::stop_token stop) {
+  if (const std::string why = why_without_answer(scene.rendering); !why.empty()) throw Error(why);
   try {
     return Search(scene, size, probe, settings, stop).choose();
   } catch (const Cancelled&) {
