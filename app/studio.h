@@ -68,6 +68,8 @@ class Studio {
   bool has_unsaved_changes() const;
   StudioInputs inputs(bool close_requested);
   void update_sweep(const StudioRequests& requests, bool interactive);
+  SweepSubject choice_subject(glm::ivec2 size) const;
+  void take_choice();
   void update_choice(const StudioRequests& requests);
   std::array<ViewRequest, view_count> view_requests(const StudioRequests& requests) const;
 

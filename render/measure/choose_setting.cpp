@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "presets/choices.h"
 #include "presets/error.h"
 #include "presets/names.h"
 #include "render/measure/choice_why.h"
@@ -25,8 +26,8 @@ constexpr double time_trust = 1.25;
 /// So many settings are timed in the full picture, those within this factor of the fastest.
 constexpr std::size_t most_timed = 3;
 constexpr double close_in_time = 1.6;
-/// Methods that are tried however long it takes: what is exact, and what samples.
-constexpr std::size_t always_tried = 2;
+/// Methods that are tried however long it takes: one of each classification.
+constexpr std::size_t always_tried = 4;
 
 /// A sparse picture, or the full one.
 struct Level {
@@ -65,6 +66,16 @@ bool is_before(const TriedSetting& a, const TriedSetting& b, bool by_error) {
   return key(a) < key(b);
 }
 
+/// 0 is what is exact, which others have to beat; 1 are equal steps, with one classification each; then what
+/// differs from these in where samples lie, how long steps are or how steps are joined.
+int promise_of(const Rendering& r, const Rendering& scene) {
+  if (is_analytic(r.classification)) return 0;
+  const Placement usual = holds_one_length(r.classification) ? Placement::entry : Rendering{}.placement;
+  const bool is_plain = r.engine == Engine::raycaster && r.filter == scene.filter && !r.adaptive &&
+                        has_equal_steps(r.sampling) && r.placement == usual && is_divided(r);
+  return is_plain ? 1 : 2;
+}
+
 class Search {
  public:
   Search(const Scene& scene, glm::ivec2 size, const SceneProbe& probe, const ChoiceSettings& settings,
@@ -101,7 +112,7 @@ class Search {
     return settings_.target.measure->id == "missed" || settings_.target.measure->id == "invented";
   }
 
-  /// Those that need no step first: they are exact, and what others have to beat.
+  /// The most promising first.
   std::vector<const Method*> candidates() const {
     std::vector<const Method*> found;
     std::string why = "no method has this scene's exact answer";
@@ -116,7 +127,9 @@ class Search {
         why = why_not;
     }
     if (found.empty()) throw Error(fmt::format("there is no setting to choose from: {}", why));
-    std::ranges::stable_partition(found, [](const Method* m) { return !m->has_step; });
+    std::ranges::stable_sort(found, {}, [&](const Method* m) {
+      return promise_of(measured_rendering(*m, scene_.rendering.step, scene_.rendering), scene_.rendering);
+    });
     return found;
   }
 
@@ -134,7 +147,7 @@ class Search {
   bool can_refine(std::size_t level) const {
     if (level + 1 >= levels_.size()) return false;
     return levels_[level + 1].exact ||
-           seconds() + exact_seconds_per_ray_ * pixels(levels_[level + 1]) <= settings_.probe_seconds;
+           seconds() + exact_seconds_per_ray_ * pixels(levels_[level + 1]) <= settings_.most_seconds;
   }
 
   SampledError error_at(const Rendering& rendering, std::size_t level) {

@@ -34,9 +34,10 @@ struct ChoiceSettings {
   /// Of a frame. With it the least error within that time is looked for, else the least time within the
   /// target.
   std::optional<double> budget_ms = {};
-  /// After so long no further method is tried but the first ones, nor an exact answer begun that would take
-  /// longer.
-  double probe_seconds = 3;
+  /// After so long no further method is tried but the first ones.
+  double probe_seconds = 1;
+  /// More exact rays are solved where that ends before.
+  double most_seconds = 3;
 };
 
 /// A setting that was looked at.

@@ -217,7 +217,7 @@ TEST(ChooseSetting, TheFirstMethodsAreTriedHoweverLongItTakes) {
   const Choice choice = choose(fake, scene_in(Mode::dvr_only));
   std::set<std::string_view> tried;
   for (const auto& t : choice.tried) tried.insert(t.method->id);
-  EXPECT_EQ(tried, (std::set<std::string_view>{"dvr-analytic", "dvr"}));
+  EXPECT_EQ(tried, (std::set<std::string_view>{"dvr-analytic", "dvr", "dvr-pre", "dvr-pre-table"}));
   EXPECT_FALSE(choice.untried.empty());
   EXPECT_TRUE(choice.meets_target);
 }
