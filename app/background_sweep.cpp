@@ -1,7 +1,5 @@
 #include "app/background_sweep.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,20 +7,26 @@
 
 #include "app/cache_folder.h"
 #include "app/offscreen_context.h"
+#include "app/thread_priority.h"
 #include "render/measure/measure_scene.h"
 #include "render/measure/methods.h"
+#include "render/measure/model_difference.h"
 
 namespace crest {
 namespace {
 
 constexpr double longest_side = 256;
 constexpr int side_unit = 8;  ///< so that a view that grows by some pixels is the same subject
-constexpr int politeness = 5;
 constexpr double group_seconds = 1;
 
-/// This thread, and those that it starts, give way to the window's: a software renderer needs the same
-/// processors. (On Linux, priorities are of threads.)
-void lower_priority() { setpriority(PRIO_PROCESS, 0, politeness); }
+/// Of the exact answers that are there, one for each.
+std::vector<AnswerError> model_differences(const Sweep& sweep, const Rendering& scene) {
+  std::vector<AnswerError> differences;
+  for (const auto& [answer, exact] : sweep.references())
+    if (const auto difference = model_difference(sweep.references(), answer, scene))
+      differences.push_back({answer, *difference});
+  return differences;
+}
 
 }  // namespace
 
@@ -139,7 +143,7 @@ void BackgroundSweep::publish(const std::stop_token& stopped,
 }
 
 void BackgroundSweep::work(const std::stop_token& quit) {
-  lower_priority();
+  lower_thread_priority();
   std::optional<SweepRenderer> renderer;
   while (true) {
     SweepSubject subject;
@@ -170,8 +174,15 @@ void BackgroundSweep::run(const SweepRenderer& renderer, const SweepSubject& sub
   settings.longest_frame_ms = longest_frame_ms;
   Sweep sweep(subject.scene, resting(renderer.measurer_of(subject), stopped), settings);
   bool is_first = true;
+  std::size_t answers = 0;
+  std::vector<AnswerError> differences;
+  const auto compare_answers = [&] {
+    if (std::exchange(answers, sweep.references().size()) != sweep.references().size())
+      differences = model_differences(sweep, subject.scene.rendering);
+  };
   const auto take = [&](AccuracyResults& found) {
     found.left_out = sweep.left_out();
+    found.model_differences = differences;
     if (!std::exchange(is_first, false)) return;
     found.measured.clear();
     found.is_stale = false;
@@ -185,11 +196,14 @@ void BackgroundSweep::run(const SweepRenderer& renderer, const SweepSubject& sub
       found.done = done;
     });
   };
-  while (const auto point = sweep.next(stopped, status))
+  while (const auto point = sweep.next(stopped, status)) {
+    compare_answers();
     publish(stopped, [&](AccuracyResults& found) {
       take(found);
       found.measured.push_back(point->measurement);
     });
+  }
+  compare_answers();
   publish(stopped, take);
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "app/auto_choice.h"
 #include "app/cache_folder.h"
 #include "app/commands.h"
 #include "app/exact_picture.h"
@@ -8,6 +9,8 @@
 #include "app/scene_options.h"
 #include "presets/json.h"
 #include "render/files/load.h"
+#include "render/measure/probe_scene.h"
+#include "render/measure/timing.h"
 #include "render/scene/camera.h"
 #include "render/scene/error_colors.h"
 #include "render/scene/exact.h"
@@ -19,6 +22,7 @@ struct RenderOptions {
   SceneOptions scene;
   PictureOptions picture;
   std::string error_bound;  ///< where to write it; empty: nowhere
+  AutoOptions automatic;
 };
 
 /// How far each pixel may be off: as it is for an .exr, else in the colours of all error pictures.
@@ -60,14 +64,42 @@ void render_on_cpu(const Scene& scene, const Camera& camera, const RenderOptions
   if (options.json) print_statistics(statistics_json(picture, scene), exact_renderer);
 }
 
+/// With the setting that suits scene and view: see choose_setting().
+void render_as_chosen(Scene scene, const Camera& camera, const RenderOptions& all) {
+  const PictureOptions& options = all.picture;
+  const OffscreenContext context(options.device);
+  const auto renderer = std::make_shared<Renderer>(std::filesystem::path(), program_folder());
+  renderer->hold(scene.volume);
+  const ChoiceSettings settings = all.automatic.settings();
+  const glm::ivec2 size = options.pixels();
+  const Choice choice = *choose_setting(scene, size, probe_scene(renderer, scene, camera, size), settings);
+  scene.rendering = choice.rendering;
+  const auto picture = measure_pictures(*renderer, {scene}, camera, size, options.frames, options.json)[0];
+  write_image(options.output, picture.image, scene.rendering.background);
+  print_warnings(picture.warnings);
+  auto notes = picture.notes;
+  if (!choice.meets_target || !choice.fits_budget) notes.push_back("--auto: " + choice.why);
+  print_notes(notes);
+  if (!options.json) {
+    fmt::print("{}\n", choice_line(choice, settings.target, median(picture.frame_ms)));
+    return;
+  }
+  auto json = statistics_json(picture, *renderer, scene);
+  json["auto"] = choice_json(choice, settings);
+  print_statistics(json, context.renderer());
+}
+
 void render_picture(const RenderOptions& options) {
   const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
   const Preset preset = options.picture.with_exact(options.scene.read_preset(*volume, aspect));
   if (!options.error_bound.empty() && !is_exact(preset.rendering))
     throw UsageError("--error-bound", "only the exact march knows how far it may be off: add --exact");
+  const Scene scene = make_scene(volume, preset);
+  const Camera camera = camera_of(preset, volume->grid, aspect);
+  if (options.automatic.is_on) return render_as_chosen(scene, camera, options);
   const auto render = preset.rendering.engine == Engine::reference ? render_on_cpu : render_on_gpu;
-  render(make_scene(volume, preset), camera_of(preset, volume->grid, aspect), options);
+  render(scene, camera, options);
 }
 
 }  // namespace
@@ -83,7 +115,15 @@ void add_render_command(Options app, Action& chosen) {
           "--error-bound", options->error_bound,
           "With --exact: a picture of how far each pixel may be off, at most; .png in colours, .exr as it is")
       .type_name("FILE");
-  command.when_read([options, &chosen] { chosen = [options] { render_picture(*options); }; });
+  options->automatic.add_to(command);
+  command.when_read([options, &chosen] {
+    options->automatic.check(options->scene);
+    if (options->automatic.is_on && options->picture.exact)
+      throw UsageError("--auto", "--exact is a choice of its own: one of the two");
+    if (options->automatic.is_on && !options->error_bound.empty())
+      throw UsageError("--error-bound", "of --exact alone, not of --auto");
+    chosen = [options] { render_picture(*options); };
+  });
 }
 
 }  // namespace crest

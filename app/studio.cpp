@@ -252,6 +252,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.recent = recent_.list();
   inputs.performance = performance_;
   inputs.accuracy = &sweep_.results();
+  inputs.choice = &choice_.results();
   for (int i = 0; i < view_count; ++i) inputs.views[std::size_t(i)] = views_.picture(i);
   if (!loaded_.volume) return inputs;
   const Scene scene = make_scene(loaded_.volume, document_.preset);
@@ -290,8 +291,33 @@ void Studio::update_sweep(const StudioRequests& requests, bool interactive) {
                 now);
 }
 
+SweepSubject Studio::choice_subject(glm::ivec2 size) const {
+  return {make_scene(loaded_.volume, document_.preset),
+          camera_of(document_.preset, loaded_.volume->grid, view_aspect_), size};
+}
+
+/// Before the panels are drawn, so that they show it.
+void Studio::take_choice() {
+  if (!loaded_.volume || !choice_.has_news()) return;
+  if (const auto chosen = choice_.take(choice_subject({1, 1}))) document_.preset.rendering = *chosen;
+}
+
+/// For the size of the view of the preset's own mode, or of another where that is not to be seen.
+void Studio::update_choice(const StudioRequests& requests) {
+  if (requests.stop_choosing) choice_.stop();
+  if (choice_.is_running()) sweep_.rest_until(BackgroundSweep::Clock::now() + quiet);
+  glm::ivec2 size{0};
+  for (std::size_t i = 0; i < view_count; ++i)
+    if (const glm::ivec2 view = requests.view_pixels[i];
+        view.x > 0 && (size.x == 0 || view_modes[i] == document_.preset.rendering.mode))
+      size = view;
+  if (requests.choose && loaded_.volume && size.x > 0)
+    choice_.start(choice_subject(size), {.target = *requests.choose});
+}
+
 void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   take_loaded_volume();
+  take_choice();
   StudioInputs shown;
   try {
     shown = inputs(close_requested);
@@ -318,6 +344,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   tell_view_error();
   update_export_picture(requests);
   update_sweep(requests, interactive);
+  update_choice(requests);
   if (const std::string& error = views_.renderer().resources().programs.error(); !error.empty())
     say(error, true);
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/background_choice.h"
 #include "app/background_sweep.h"
 #include "app/export_picture.h"
 #include "app/recent_files.h"
@@ -38,8 +39,8 @@ class Studio {
   bool leaves_thread() const { return loader_.has_thread(); }
   bool is_drawing() const { return views_.is_busy(); }  ///< a view is not done
   /// Something of the measurement in the background may come up soon, has come up.
-  bool is_measuring() const { return sweep_.is_active(); }
-  bool has_news() const { return sweep_.has_news(BackgroundSweep::Clock::now()); }
+  bool is_measuring() const { return sweep_.is_active() || choice_.is_running(); }
+  bool has_news() const { return sweep_.has_news(BackgroundSweep::Clock::now()) || choice_.has_news(); }
   std::string title() const;
   const Document& document() const { return document_; }
   const StudioState& ui_state() const { return *ui_; }
@@ -67,6 +68,9 @@ class Studio {
   bool has_unsaved_changes() const;
   StudioInputs inputs(bool close_requested);
   void update_sweep(const StudioRequests& requests, bool interactive);
+  SweepSubject choice_subject(glm::ivec2 size) const;
+  void take_choice();
+  void update_choice(const StudioRequests& requests);
   std::array<ViewRequest, view_count> view_requests(const StudioRequests& requests) const;
 
   Document document_;
@@ -79,6 +83,7 @@ class Studio {
   StudioStatePtr ui_ = make_studio_state();
   ViewRenderer views_;
   BackgroundSweep sweep_;
+  BackgroundChoice choice_;
   std::vector<Imported> imported_;  ///< from imported_from_, while the person chooses
   std::string imported_from_;
   TfParts import_take_ = TfParts::both;  ///< as the file was opened

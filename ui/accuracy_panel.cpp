@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/accuracy_answers.h"
 #include "ui/accuracy_shown.h"
 #include "ui/accuracy_table.h"
 #include "ui/style.h"
@@ -12,37 +13,8 @@
 namespace crest {
 namespace {
 
-constexpr float least_diagram = 190;  // pixels of height, before the panel scrolls
+constexpr float least_diagram = 150;  // pixels of height, before the panel scrolls
 constexpr std::size_t most_told = 24;
-
-/// The four of the field that was measured, then those of other filters.
-std::vector<ExactAnswer> offered_answers(const ShownAccuracy& shown) {
-  std::vector<ExactAnswer> answers;
-  for (const Answer answer :
-       {Answer::integral, Answer::crossings, Answer::integral_and_crossings, Answer::base_and_crossings})
-    answers.emplace_back(answer, filters_of(answer, shown.results.rendering));
-  const auto add = [&](const ExactAnswer& answer) {
-    if (std::ranges::find(answers, answer) == answers.end()) answers.push_back(answer);
-  };
-  for (const Measurement& m : shown.results.measured)
-    for (const AnswerError& error : m.errors) add(error.answer);
-  add(shown.answer);
-  return answers;
-}
-
-constexpr const char* explanation_of(Answer answer) {
-  switch (answer) {
-    case Answer::integral:
-      return "The volume rendering integral of the transfer function";
-    case Answer::crossings:
-      return "The peaks' surfaces where rays cross them, nothing else";
-    case Answer::integral_and_crossings:
-      return "The integral of the whole transfer function, and the peaks' surfaces";
-    case Answer::base_and_crossings:
-      break;
-  }
-  return "The integral without the spikes, and the peaks' surfaces";
-}
 
 std::string status_of(const AccuracyResults& results) {
   const std::string points =
@@ -59,16 +31,18 @@ std::string status_of(const AccuracyResults& results) {
 void switch_row(StudioState& state, const StudioInputs& inputs, const AccuracyResults& results,
                 StudioRequests& requests) {
   ImGui::BeginDisabled(!inputs.volume && !results.is_on);
-  const float width = ImGui::CalcTextSize("Measure").x + 2 * ImGui::GetStyle().FramePadding.x;
-  if (ImGui::Button(results.is_on ? "Stop##measure" : "Measure##measure", {width, 0}))
-    requests.measure = !results.is_on;
+  const bool stops = results.is_on && (results.is_running || results.is_stale);
+  const bool again = !stops && !results.measured.empty();
+  const char* text = stops ? "Stop" : again ? "Measure again" : "Measure";
+  const float width = ImGui::CalcTextSize("Measure again").x + 2 * ImGui::GetStyle().FramePadding.x;
+  if (ImGui::Button(fmt::format("{}##measure", text).c_str(), {width, 0})) requests.measure = !stops;
   note_item(state.widgets, "measure");
+  note_item(state.widgets, fmt::format("measure/{}", text));
   ImGui::EndDisabled();
-  tip(results.is_on
-          ? "Stops; what was measured stays.\nWhile it is on, a change of the transfer function, the "
-            "volume,\nthe camera or the clip box measures anew."
-          : "Measures this scene and view in the background:\nthe exact answers, then each method "
-            "from coarse steps to fine ones");
+  tip(stops ? "Stops; what was measured stays.\nUntil then, a change of the transfer function, the "
+              "volume,\nthe camera or the clip box measures anew."
+            : "Measures this scene and view in the background:\nthe exact answers, then each method "
+              "from coarse steps to fine ones");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   if (!results.error.empty())
@@ -76,31 +50,6 @@ void switch_row(StudioState& state, const StudioInputs& inputs, const AccuracyRe
   else
     ImGui::TextDisabled("%s", status_of(results).c_str());
   if (!results.error.empty()) tip(results.error.c_str());
-}
-
-void answer_rows(AccuracyState& state, WidgetState& widgets, const ShownAccuracy& shown) {
-  field_label("against");
-  const float begin = ImGui::GetCursorPosX(), right = begin + ImGui::GetContentRegionAvail().x;
-  for (const ExactAnswer& answer : offered_answers(shown)) {
-    const std::string name = name_of(answer);
-    const bool is_there = std::ranges::any_of(
-        shown.results.measured, [&](const Measurement& m) { return m.error_against(answer) != nullptr; });
-    const bool is_shown = answer == shown.answer;
-    const float width = ImGui::CalcTextSize(name.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-    if (ImGui::GetCursorPosX() > begin && ImGui::GetCursorPosX() + width > right) {
-      ImGui::NewLine();
-      ImGui::SetCursorPosX(begin);
-    }
-    ImGui::PushStyleColor(ImGuiCol_Button,
-                          ImGui::GetStyleColorVec4(is_shown ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
-    ImGui::PushStyleColor(ImGuiCol_Text, is_there || is_shown ? palette::text : palette::dim);
-    if (ImGui::Button(name.c_str())) state.answer = answer;
-    ImGui::PopStyleColor(2);
-    note_item(widgets, "answer/" + name);
-    tip(explanation_of(answer.answer));
-    ImGui::SameLine(0, scaled(3));
-  }
-  ImGui::NewLine();
 }
 
 void target_row(TargetError& target, WidgetState& widgets) {
@@ -118,6 +67,16 @@ void target_row(TargetError& target, WidgetState& widgets) {
   field_label("at most");
   number_field(widgets, "##target error", target.most, {0, 1}, field);
   tip("The target. Filled marks meet it; the cheapest of them is recommended.");
+}
+
+void target_verdict(WidgetState& widgets, const ShownAccuracy& shown) {
+  const std::string text = shown.results.is_stale ? "" : verdict_text(shown);
+  if (text.empty()) return;
+  const ImU32 color = shown.recommended ? palette::good : palette::warning;
+  ImGui::PushTextWrapPos();
+  ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color), "%s", text.c_str());
+  ImGui::PopTextWrapPos();
+  note_item(widgets, "verdict: " + text);
 }
 
 void point_tooltip(const ShownAccuracy& shown, std::size_t index, float bottom) {
@@ -268,6 +227,7 @@ bool accuracy_panel(Document& document, StudioState& state, const StudioInputs& 
   switch_row(state, inputs, results, requests);
   answer_rows(state.accuracy, state.widgets, shown);
   target_row(state.accuracy.target, state.widgets);
+  target_verdict(state.widgets, shown);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float row = ImGui::GetFontSize() + 2 * style.CellPadding.y;
   const float table = shown.lines.empty() ? 0 : row * float(shown.lines.size() + 1) + style.ItemSpacing.y;

@@ -21,6 +21,8 @@ struct AccuracyResults {
   std::string renderer;               ///< as the driver names itself
   std::vector<Measurement> measured;  ///< in the order in which they came
   std::vector<LeftOut> left_out;
+  /// How far the exact answers lie from the integral of the whole TF in the scene's own field: not errors.
+  std::vector<AnswerError> model_differences;
 };
 
 }  // namespace crest

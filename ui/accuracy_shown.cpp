@@ -47,6 +47,25 @@ ShownAccuracy shown_accuracy(const AccuracyResults& results, AccuracyState& stat
   return shown;
 }
 
+std::string verdict_text(const ShownAccuracy& shown) {
+  const auto text_of = [&](std::size_t i) {
+    const Measurement& m = shown.results.measured[i];
+    const Method* method = find_method(m.method);
+    const std::string name(method ? method->name : std::string_view(m.method));
+    return m.step > 0 ? fmt::format("{} at step {}", name, step_text(m.step)) : name;
+  };
+  if (shown.recommended)
+    return fmt::format("Fastest that keeps {}: {}, {} ms", to_string(shown.target),
+                       text_of(*shown.recommended), ms_text(shown.point_of(*shown.recommended).ms));
+  const auto points = points_against(shown.results.measured, shown.answer, *shown.target.measure);
+  if (shown.lines.empty() || points.empty()) return "";
+  const auto closest = std::ranges::min_element(
+      points, {}, [](const AnswerPoint& p) { return std::isnan(p.point.error) ? HUGE_VAL : p.point.error; });
+  return fmt::format("No setting measured{} keeps {}: the closest is {} ({} {:.3g})",
+                     shown.results.is_running ? " so far" : "", to_string(shown.target),
+                     text_of(closest->index), shown.target.measure->id, closest->point.error);
+}
+
 std::string step_text(double step) {
   const double parts = 1 / step;
   return step < 1 && parts == std::round(parts) ? fmt::format("1/{}", parts) : short_text(step);

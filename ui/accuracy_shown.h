@@ -32,6 +32,10 @@ ShownAccuracy shown_accuracy(const AccuracyResults& results, AccuracyState& stat
 bool apply_setting(Document& document, AccuracyState& state, const ShownAccuracy& shown,
                    std::size_t measured);
 
+/// In words: the setting that is recommended, or that none meets the target, and the closest; empty while
+/// nothing is shown.
+std::string verdict_text(const ShownAccuracy& shown);
+
 std::string step_text(double step);  ///< "1/4"
 std::string ms_text(double ms);      ///< three digits
 

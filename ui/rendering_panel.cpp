@@ -4,6 +4,7 @@
 #include <array>
 
 #include "presets/choices.h"
+#include "ui/choice_rows.h"
 #include "ui/feature_list.h"
 
 namespace crest {
@@ -150,7 +151,9 @@ bool engine_rows(WidgetState& widgets, Rendering& r, float width) {
 
 }  // namespace
 
-bool rendering_panel(Document& document, StudioState& state, const StudioInputs& inputs) {
+bool rendering_panel(Document& document, StudioState& state, const StudioInputs& inputs,
+                     StudioRequests& requests) {
+  choice_rows(document, state, inputs, requests);
   Rendering& r = document.preset.rendering;
   WidgetState& widgets = state.widgets;
   if (!ImGui::BeginTable("rendering", 2, ImGuiTableFlags_SizingStretchProp)) return false;

@@ -5,6 +5,7 @@
 namespace crest {
 
 /// How the pictures are made. Returns whether it changed the document.
-bool rendering_panel(Document& document, StudioState& state, const StudioInputs& inputs);
+bool rendering_panel(Document& document, StudioState& state, const StudioInputs& inputs,
+                     StudioRequests& requests);
 
 }  // namespace crest

@@ -65,7 +65,7 @@ bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, St
   const bool rendering = ImGui::BeginTabItem("Rendering");
   note_item(state.widgets, "tab/Rendering");
   if (rendering) {
-    changed |= rendering_panel(document, state, inputs);
+    changed |= rendering_panel(document, state, inputs, requests);
     ImGui::EndTabItem();
   }
   const bool accuracy = ImGui::BeginTabItem("Accuracy");

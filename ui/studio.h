@@ -15,6 +15,7 @@
 #include "render/scene/picture_need.h"
 #include "render/volume/volume.h"
 #include "ui/accuracy_results.h"
+#include "ui/choice_results.h"
 #include "ui/document.h"
 
 namespace crest {
@@ -59,6 +60,7 @@ struct StudioInputs {
   std::span<const Peak> surfaces;  ///< those that are shown as surfaces
   std::array<ViewPicture, view_count> views;
   const AccuracyResults* accuracy = nullptr;  ///< null while nothing was ever measured
+  const ChoiceResults* choice = nullptr;      ///< null while nothing was ever chosen
   std::string loading;                        ///< the volume that is being read; empty while none is
   std::string message;                        ///< the last news or error, one line
   bool message_is_error = false;
@@ -101,9 +103,11 @@ struct StudioRequests {
   std::array<glm::ivec2, view_count>
       view_pixels{};  ///< size to draw each view at; (0, 0) = it is not visible
   ShownPicture shown_picture = ShownPicture::exact;
-  bool document_changed = false;  ///< by this frame: an edit, undo or redo
-  std::optional<bool> measure;    ///< switches the measurement in the background on or off
-  bool quit = false;              ///< the person was asked about unsaved changes
+  bool document_changed = false;      ///< by this frame: an edit, undo or redo
+  std::optional<bool> measure;        ///< switches the measurement in the background on or off
+  std::optional<TargetError> choose;  ///< a setting that keeps this error
+  bool stop_choosing = false;
+  bool quit = false;  ///< the person was asked about unsaved changes
   bool reload_shaders = false;
 };
 

@@ -43,11 +43,4 @@ void measure_report(Report& report, std::stop_token stop, const SweepStatus& sta
   report.stopped = stop.stop_requested();
 }
 
-std::optional<ImageError> model_difference(const Report& report, const ExactAnswer& answer) {
-  const auto integral = report.references.find(report.own_integral()), other = report.references.find(answer);
-  if (integral == other || integral == report.references.end() || other == report.references.end())
-    return std::nullopt;
-  return image_error(integral->second, other->second.image(), {}, report.background());
-}
-
 }  // namespace crest

@@ -39,10 +39,6 @@ struct Report {
   bool stopped = false;  ///< before its time, by the person
 
   glm::vec3 background() const { return scene.rendering.background; }
-  /// `integral` of the scene's own field.
-  ExactAnswer own_integral() const {
-    return {Answer::integral, filters_of(Answer::integral, scene.rendering)};
-  }
 };
 
 /// Runs a whole sweep into `report`, whose first fields are set. A GL 4.5 context is current.
@@ -52,9 +48,5 @@ void measure_report(Report& report, std::stop_token stop, const SweepStatus& sta
 inline constexpr double typical_step = 0.5;
 /// and of its cheapest point under the target, for each answer: `points` without pictures.
 std::vector<std::size_t> pictured_points(const std::vector<Measurement>& points, const TargetError& target);
-
-/// The difference of an answer's exact picture from that of own_integral(): the mode's and the filter's, not
-/// an error. Nothing without both.
-std::optional<ImageError> model_difference(const Report& report, const ExactAnswer& answer);
 
 }  // namespace crest

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <regex>
 
+#include "app/auto_choice.h"
 #include "app/commands.h"
 #include "app/offscreen_context.h"
 #include "app/output_folder.h"
@@ -51,14 +52,6 @@ std::uint64_t seed_of(const std::string& text) {
   return seed;
 }
 
-TargetError target_error(const std::string& text) {
-  try {
-    return parse_target(text);
-  } catch (const Error& error) {
-    throw UsageError("--target-error", error.what());
-  }
-}
-
 const Study& find_study(const std::string& name) {
   std::string names;
   for (const Study& study : studies()) {
@@ -92,15 +85,11 @@ Report subject_of(const ReportOptions& options) {
   Report report;
   report.size = pixels_of(options.size);
   report.settings.budget_seconds = budget_seconds(options.budget);
-  report.settings.target = target_error(options.target);
+  report.settings.target = target_option(options.target);
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
   const Preset preset = options.scene.read_preset(*volume, aspect_of(report.size));
   report.scene = make_scene(volume, preset);
-  if (const BlendMode blend_mode = preset.rendering.blend_mode; blend_mode != BlendMode::semi_transparent)
-    throw Error(
-        fmt::format("rendering.illumination is {}, which has no exact answer to measure against: "
-                    "a report takes --illumination semi_transparent",
-                    name_of(blend_mode)));
+  if (const std::string why = why_without_answer(preset.rendering); !why.empty()) throw Error(why);
   report.camera = camera_of(preset, volume->grid, aspect_of(report.size));
   report.subject.command = options.command;
   report.subject.volume = options.scene.volume;
@@ -177,7 +166,7 @@ std::string studies_with_seed() {
 /// Throws UsageError where one is wrong, or has no part in what is asked for.
 void check_options(const ReportOptions& options) {
   budget_seconds(options.budget);
-  target_error(options.target);
+  target_option(options.target);
   seed_of(options.seed);
   if (options.seed_is_given && (options.study.empty() || !find_study(options.study).takes_seed))
     throw UsageError("--seed", fmt::format("only of a study whose scenes are made by chance: --study {}",

@@ -11,6 +11,7 @@
 #include "presets/preset_json.h"
 #include "render/measure/flip.h"
 #include "render/measure/method_convergence.h"
+#include "render/measure/model_difference.h"
 #include "render/measure/pareto.h"
 
 namespace crest {
@@ -78,7 +79,7 @@ Json answer_json(const Report& report, const ExactAnswer& answer, const Referenc
   for (const ErrorMeasure& measure : error_measures())
     json["front"][measure.id] = pareto_front(report.points, answer, measure);
   json["model_difference"] = nullptr;
-  if (const auto difference = model_difference(report, answer)) {
+  if (const auto difference = model_difference(report.references, answer, report.scene.rendering)) {
     json["model_difference"] = to_json(*difference);
     json["model_difference"]["picture"] = difference_picture_name(answer);
   }

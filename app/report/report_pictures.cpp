@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "presets/json.h"
+#include "render/measure/model_difference.h"
 #include "render/scene/error_colors.h"
 
 namespace crest {
@@ -86,9 +87,9 @@ std::vector<std::string> write_pictures(const Report& report, const std::filesys
   };
   for (const auto& [answer, exact] : report.references) {
     write(exact_picture_name(answer), exact.image());
-    if (model_difference(report, answer))
+    if (model_difference(report.references, answer, report.scene.rendering))
       write(difference_picture_name(answer),
-            error_picture(report.references.at(report.own_integral()), exact.image()));
+            error_picture(report.references.at(own_integral(report.scene.rendering)), exact.image()));
   }
   for (const auto& [index, image] : report.pictures) {
     const Measurement& point = report.points[index];

@@ -14,8 +14,6 @@
 namespace crest {
 namespace {
 
-constexpr double one_step_of_8_bits = 1.0 / 255;
-
 /// By channel; what is not a number is off without bound.
 glm::dvec4 difference(const glm::dvec4& a, const glm::dvec4& b) {
   glm::dvec4 d = glm::abs(a - b);
@@ -25,6 +23,23 @@ glm::dvec4 difference(const glm::dvec4& a, const glm::dvec4& b) {
 }
 
 double largest_channel(const glm::dvec4& v) { return std::max({v.x, v.y, v.z, v.w}); }
+
+PixelDifference difference_at(const Reference& exact, const Image& image, std::size_t pixel) {
+  const glm::dvec4 d = difference(exact.pixels[pixel], glm::dvec4(image.pixels[pixel]));
+  return {largest_channel(d), d.x * d.x + d.y * d.y + d.z * d.z + d.w * d.w};
+}
+
+/// Those where either picture shows something: the ones that are compared, and the grazing ones.
+struct ShownPixels {
+  std::vector<std::size_t> compared, grazing;
+};
+ShownPixels shown_pixels(const Reference& exact, const Image& image) {
+  ShownPixels shown;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    if (exact.pixels[i].a > 0 || !(image.pixels[i].a <= 0))
+      (exact.grazing[i] ? shown.grazing : shown.compared).push_back(i);
+  return shown;
+}
 
 /// The errors of the pixels with these indices.
 PixelErrors errors_of(const Reference& exact, const Image& image, const std::vector<float>& flip,
@@ -36,9 +51,9 @@ PixelErrors errors_of(const Reference& exact, const Image& image, const std::vec
   std::vector<double> differences;
   double squares = 0;
   for (const std::size_t i : pixels) {
-    const glm::dvec4 d = difference(exact.pixels[i], glm::dvec4(image.pixels[i]));
-    squares += d.x * d.x + d.y * d.y + d.z * d.z + d.w * d.w;
-    differences.push_back(largest_channel(d));
+    const PixelDifference d = difference_at(exact, image, i);
+    squares += d.squares;
+    differences.push_back(d.most);
     errors.share += (differences.back() > one_step_of_8_bits) / count;
     errors.flip += flip[i] / count;
   }
@@ -95,17 +110,23 @@ double ImageError::grazing_share() const {
 }
 
 ImageError image_error(const Reference& exact, const Image& image, std::span<const std::uint32_t> crossings,
-                       glm::vec3 background) {
-  std::vector<std::size_t> compared, grazing;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    if (exact.pixels[i].a > 0 || !(image.pixels[i].a <= 0))
-      (exact.grazing[i] ? grazing : compared).push_back(i);
-  const auto flip = flip_map(over_background(exact.image(), background), over_background(image, background));
+                       std::optional<glm::vec3> background) {
+  const auto [compared, grazing] = shown_pixels(exact, image);
+  std::vector<float> flip(image.pixels.size(), std::numeric_limits<float>::quiet_NaN());
+  if (background)
+    flip = flip_map(over_background(exact.image(), *background), over_background(image, *background));
   ImageError error;
   error.compared = errors_of(exact, image, flip, compared);
   error.grazing = errors_of(exact, image, flip, grazing);
   if (!crossings.empty()) error.crossings = count_crossings(exact, crossings, compared);
   return error;
+}
+
+std::vector<PixelDifference> compared_differences(const Reference& exact, const Image& image) {
+  std::vector<PixelDifference> differences;
+  for (const std::size_t i : shown_pixels(exact, image).compared)
+    differences.push_back(difference_at(exact, image, i));
+  return differences;
 }
 
 std::span<const ErrorMeasure> error_measures() { return measures; }

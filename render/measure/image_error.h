@@ -42,10 +42,10 @@ struct ImageError {
   double grazing_share() const;  ///< of all pixels where either picture has alpha > 0
 };
 
-/// Compares a picture with the exact one of the same size, for FLIP over `background`. `crossings` are those
-/// that were composited, by pixel; or empty.
+/// Compares a picture with the exact one of the same size, for FLIP over `background`; without one FLIP, which
+/// takes longer than all the rest, is NaN. `crossings` are those that were composited, by pixel; or empty.
 ImageError image_error(const Reference& exact, const Image& image, std::span<const std::uint32_t> crossings,
-                       glm::vec3 background);
+                       std::optional<glm::vec3> background);
 
 /// One number that tells an error, of which less is better.
 struct ErrorMeasure {
@@ -58,6 +58,16 @@ struct ErrorMeasure {
 /// Missed and invented crossings count as a share of the exact picture's; they are NaN where they are not
 /// known, as the others are where no pixel is compared.
 std::span<const ErrorMeasure> error_measures();
+
+/// How far a pixel is off: its most different channel, and the squares of all four.
+struct PixelDifference {
+  double most = 0, squares = 0;
+};
+/// Those of the compared pixels, in the order of the picture.
+std::vector<PixelDifference> compared_differences(const Reference& exact, const Image& image);
+
+/// A pixel that differs by more is off, as `share` counts it.
+inline constexpr double one_step_of_8_bits = 1.0 / 255;
 
 /// What is asked of a picture: at most so much error, in one measure.
 struct TargetError {

@@ -1,7 +1,6 @@
 #include "render/measure/measure_scene.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -100,9 +99,7 @@ Measurer measure_scene(Scene scene, Camera camera, glm::ivec2 size, std::filesys
   measurer.start = [=](const Rendering& rendering) { return measure_start(*renderer, rendering); };
   measurer.picture = [=](const Rendering& rendering) { return take_picture(*renderer, rendering); };
   measurer.frame = [=](const Rendering& rendering) { return time_frame(*renderer, rendering); };
-  measurer.seconds = [] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  };
+  measurer.seconds = steady_seconds;
   return measurer;
 }
 

@@ -45,6 +45,14 @@ std::vector<Answer> answers_of(const Rendering& rendering) {
   return {Answer::integral_and_crossings, Answer::base_and_crossings};
 }
 
+std::string why_without_answer(const Rendering& rendering) {
+  if (rendering.blend_mode == BlendMode::semi_transparent) return "";
+  return fmt::format(
+      "rendering.illumination is {}, which has no exact answer to measure against: only semi_transparent has "
+      "one",
+      name_of(rendering.blend_mode));
+}
+
 std::string name_of(const ExactAnswer& exact) {
   const std::string_view answer = name_of(exact.answer), dvr = name_of(exact.filters.dvr.kind),
                          root = name_of(exact.filters.root.kind);

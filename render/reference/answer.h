@@ -34,6 +34,9 @@ AnswerFilters filters_of(Answer answer, const Rendering& rendering);
 /// list is the one that `--engine reference` renders.
 std::vector<Answer> answers_of(const Rendering& rendering);
 
+/// Why a setting's pictures have none, as a clause; empty where they have.
+std::string why_without_answer(const Rendering& rendering);
+
 /// An exact answer, of the fields that these filters make: what errors are measured against.
 struct ExactAnswer {
   ExactAnswer(Answer a, const AnswerFilters& f = {}) : answer(a), filters(f) {}  // the texture unit's field

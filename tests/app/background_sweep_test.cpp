@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <set>
 #include <thread>
 
 #include "presets/error.h"
@@ -100,6 +101,13 @@ TEST_F(BackgroundSweepTest, MeasuresEveryPointAndRests) {
   for (const Method& method : methods()) points += method.has_step ? sweep_steps().size() : 1;
   EXPECT_EQ(results.measured.size(), points);
   EXPECT_EQ(results.renderer, "fake");
+  std::set<ExactAnswer> others;  // the fake one's answers are all the same picture
+  for (const AnswerError& difference : results.model_differences) {
+    EXPECT_TRUE(others.insert(difference.answer).second);
+    EXPECT_EQ(difference.error.compared.share, 0);
+  }
+  EXPECT_TRUE(others.contains(Answer::base_and_crossings));
+  EXPECT_FALSE(others.contains(Answer::integral));
   EXPECT_EQ(results.size, subject.size);
   EXPECT_EQ(results.error, "");
   EXPECT_TRUE(results.is_on);

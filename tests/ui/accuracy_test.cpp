@@ -131,8 +131,54 @@ TEST_F(Accuracy, MeasureSwitchesOnAndOff) {
   EXPECT_EQ(pressed(), std::optional(true));
   frame();
   EXPECT_FALSE(requests.measure) << "it is asked for once";
-  results.is_on = true;
+  EXPECT_TRUE(has("measure/Measure again"));
+  results.is_on = results.is_running = true;
   EXPECT_EQ(pressed(), std::optional(false));
+  EXPECT_TRUE(has("measure/Stop"));
+  results.is_running = false;  // all is measured
+  EXPECT_EQ(pressed(), std::optional(true));
+  results.is_stale = true;  // and begins again soon
+  frame();
+  EXPECT_TRUE(has("measure/Stop"));
+  results = {};
+  frame();
+  EXPECT_TRUE(has("measure/Measure"));
+}
+
+TEST_F(Accuracy, SaysPlainlyWhichSettingKeepsTheTargetOrThatNoneDoes) {
+  // dvr has an error of 0.001 at 1/4
+  EXPECT_TRUE(
+      has("verdict: Fastest that keeps share=0.001: DVR, equal steps, rounded up at step 1/4, 40 ms"));
+  type("##target error", "0.0005");
+  EXPECT_TRUE(
+      has("verdict: No setting measured keeps share=0.0005: the closest is DVR, equal steps, rounded "
+          "up at step 1/4 (share 0.001)"));
+  results.is_running = true;
+  frame();
+  EXPECT_TRUE(
+      has("verdict: No setting measured so far keeps share=0.0005: the closest is DVR, equal steps, "
+          "rounded up at step 1/4 (share 0.001)"));
+  results.is_stale = true;
+  frame();
+  for (const auto& [name, rect] : state->widgets.items) EXPECT_FALSE(name.starts_with("verdict")) << name;
+}
+
+TEST_F(Accuracy, TellsWhoseAnswerIsShownAndHowFarItIsFromTheIntegral) {
+  EXPECT_TRUE(has("model: The answer of DVR_ONLY: the integral, from which the others are told apart"));
+  click("answer/base+crossings");
+  EXPECT_TRUE(has("model: The answer of PEAK_XOR_DVR"));
+  ImageError difference;
+  difference.compared.pixels = 1000;
+  difference.compared.share = 0.123;
+  results.model_differences.push_back({Answer::base_and_crossings, difference});
+  frame();
+  EXPECT_TRUE(
+      has("model: The answer of PEAK_XOR_DVR differs from the integral in 12 % of the pixels: that is the "
+          "mode, not an error"));
+  click("answer/crossings");
+  EXPECT_TRUE(has("model: The answer of PEAK_ONLY"));
+  click("answer/integral+crossings");
+  EXPECT_TRUE(has("model: The answer of both"));
 }
 
 TEST_F(Accuracy, NothingMeasuredLeavesAHintAndNoPoints) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # smoke.sh PROGRAM PRESET SCREENSHOT: the studio in a real window: open, drag a point, undo, redo, save, measure in the
-# background, take a measured setting, quit while it measures.
+# background, take a measured setting, have one chosen, quit while it measures.
 set -eu
 program=$1 preset=$2 screenshot=$3
 source "$(dirname "$0")/drive.sh"
@@ -31,6 +31,14 @@ wait_for 10 has_widget measure
 click measure
 wait_for 120 has_measured
 click "$(measured)"
+wait_for 10 title_is '\* preset.json*'
+xdotool key ctrl+z
+wait_for 10 title_is 'preset.json*'
+
+click tab/Rendering
+wait_for 10 has_widget choose
+click choose
+wait_for 120 has_widget chosen
 wait_for 10 title_is '\* preset.json*'
 xdotool key ctrl+z
 wait_for 10 title_is 'preset.json*'
