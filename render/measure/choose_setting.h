@@ -37,7 +37,7 @@ struct ChoiceSettings {
   /// After so long no further method is tried but the first ones.
   double probe_seconds = 1;
   /// More exact rays are solved where that ends before.
-  double most_seconds = 3;
+  double most_seconds = 6;
 };
 
 /// A setting that was looked at.

@@ -16,9 +16,9 @@
 #include "render/scene/camera.h"
 
 // What `crest render --auto` chooses, beside the best setting of an exhaustive sweep of the same answer:
-//   CREST_DATA=DIR bench_choice [SIDE [SECONDS_A_SCENE]]
-// prints a row a scene. Whether the target is met, and both times, are of the whole picture against its exact
-// answer; the two settings are drawn turn by turn.
+//   CREST_DATA=DIR bench_choice [SIDE [SECONDS_A_SCENE [NAME]]]
+// prints a row a scene, or those whose volume has NAME in its name. Whether the target is met, and both
+// times, are of the whole picture against its exact answer; the two settings are drawn turn by turn.
 
 namespace crest {
 namespace {
@@ -115,7 +115,7 @@ void print_row(const Case& c, const std::string& source, int side, double second
   std::fflush(stdout);
 }
 
-void print_table(int side, double seconds) {
+void print_table(int side, double seconds, std::string_view name) {
   const OffscreenContext context;
   const char* data = std::getenv("CREST_DATA");
   fmt::print("{0}x{0}, {1}\n", side, context.renderer());
@@ -123,6 +123,7 @@ void print_table(int side, double seconds) {
       "| scene | chosen | share at most | share | ms | best of the sweep | time by its | probe, s |\n"
       "|---|---|---|---|---|---|---|---|\n");
   for (const Case& c : cases) {
+    if (std::string_view(c.volume).find(name) == std::string_view::npos) continue;
     const std::string source =
         c.is_file && data ? (std::filesystem::path(data) / c.volume).string() : c.volume;
     if (c.is_file && !std::filesystem::exists(source)) {
@@ -138,7 +139,8 @@ void print_table(int side, double seconds) {
 
 int main(int argc, char** argv) {
   try {
-    crest::print_table(argc > 1 ? std::atoi(argv[1]) : 128, argc > 2 ? std::atof(argv[2]) : 60);
+    crest::print_table(argc > 1 ? std::atoi(argv[1]) : 128, argc > 2 ? std::atof(argv[2]) : 60,
+                       argc > 3 ? argv[3] : "");
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "bench_choice: {}\n", error.what());
