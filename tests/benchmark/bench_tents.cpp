@@ -329,8 +329,7 @@ std::vector<Contest> contests() {
 json target_table(const Options& options) {
   fmt::print(
       "\n| scene | mode | methods that reach it | cheapest sampled | off | ms | analytic: off | ms | "
-      "analytic by "
-      "best, aim 0.5 |\n"
+      "by it, aim 0.5 |\n"
       "|---|---|---|---|---|---|---|---|---|\n");
   json all = json::array();
   for (Contest& contest : contests())
