@@ -67,7 +67,7 @@ Comparison compare_exactly(const std::vector<Scene>& scenes, const Camera& camer
 void compare_modes(const CompareOptions& options) {
   const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
-  const Preset preset = options.picture.with_exact(options.scene.read_preset(*volume, aspect));
+  const Preset preset = options.picture.with_exact(options.scene.read_preset(*volume, aspect), true);
   std::vector<Scene> scenes;
   for (const Mode mode : view_modes) {
     scenes.push_back(make_scene(volume, preset));

@@ -118,6 +118,9 @@ void add_render_command(Options app, Action& chosen) {
   options->automatic.add_to(command);
   command.when_read([options, &chosen] {
     options->automatic.check(options->scene);
+    if (const std::filesystem::path bound = options->error_bound;
+        !bound.empty() && bound.extension() != ".png" && bound.extension() != ".exr")
+      throw UsageError("--error-bound", "takes a .png or an .exr");
     if (options->automatic.is_on && options->picture.exact)
       throw UsageError("--auto", "--exact is a choice of its own: one of the two");
     if (options->automatic.is_on && !options->error_bound.empty())

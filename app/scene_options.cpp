@@ -124,11 +124,13 @@ void PictureOptions::add_to(Options options) {
   options.add_flag("--json", json, "Print statistics as JSON");
 }
 
-Preset PictureOptions::with_exact(Preset preset) const {
+Preset PictureOptions::with_exact(Preset preset, bool in_all_modes) const {
   if (!exact) return preset;
   if (preset.rendering.engine == Engine::reference)
     throw UsageError("--exact", "rendering.engine is reference, the exact answer on the CPU: one of the two");
-  if (const std::string why_not = why_not_exact(preset.rendering); !why_not.empty())
+  Rendering drawn = preset.rendering;
+  if (in_all_modes) drawn.mode = Mode::both;
+  if (const std::string why_not = why_not_exact(drawn); !why_not.empty())
     throw UsageError("--exact", why_not);
   preset.rendering = exact_rendering(preset.rendering);
   return preset;

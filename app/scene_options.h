@@ -47,7 +47,7 @@ struct PictureOptions {
   void add_to(Options options);
   /// The preset, by the exact march where that is asked for. Throws UsageError where it does not draw what
   /// the settings mean.
-  Preset with_exact(Preset preset) const;
+  Preset with_exact(Preset preset, bool in_all_modes = false) const;
   /// Throws as pixels_of().
   glm::ivec2 pixels() const { return pixels_of(size); }
 };

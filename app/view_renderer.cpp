@@ -54,6 +54,19 @@ bool ViewRequest::operator==(const ViewRequest& other) const {
          error_bound == other.error_bound;
 }
 
+bool ViewRenderer::is_same_but_for_bound(ViewRequest a, const ViewRequest& b) {
+  a.error_bound = b.error_bound;
+  return a == b;
+}
+
+/// Of another kind of picture: a first guess is that an exact one takes five times as long as samples.
+void ViewRenderer::forget_costs(View& view) {
+  const double sampled_ms = view.ms_per_pixel[coarse];
+  view.ms_per_pixel[full] = is_exact(view.wanted.scene.rendering) ? 5 * sampled_ms : sampled_ms;
+  view.counts = {};
+  view.frame_ms = 0;
+}
+
 ViewRenderer::ViewRenderer(std::filesystem::path shader_folder, std::filesystem::path program_folder)
     : renderer_(std::move(shader_folder), std::move(program_folder)) {}
 
@@ -62,12 +75,18 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
   for (std::size_t i = 0; i < view_count; ++i) {
     View& view = views_[i];
     if (requests[i] == view.wanted) continue;
+    const bool was_exact = is_exact(view.wanted.scene.rendering),
+               shows = view.shown_version == view.wanted_version;
+    const bool is_same_picture = shows && is_same_but_for_bound(requests[i], view.wanted);
     view.wanted = requests[i];
+    if (is_exact(view.wanted.scene.rendering) != was_exact) forget_costs(view);
     view.warnings = warnings_of(view.wanted);
     view.nothing_visible.clear();
     view.error.clear();
     ++view.wanted_version;
-    view.is_counted = false;
+    if (is_same_picture) view.shown_version = view.wanted_version;
+    if (is_same_picture && view.shown_stage == full) view.shown_stage = preview;
+    view.is_counted = view.is_counted && is_same_picture;
     view.full.reset();
     const bool keep = view.pass && view.pass->coarseness > 1 && view.pass->request.size == view.wanted.size &&
                       view.pass->request.scene.volume == view.wanted.scene.volume;

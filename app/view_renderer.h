@@ -91,6 +91,8 @@ class ViewRenderer {
   };
 
   static bool is_done(const View& view);
+  static bool is_same_but_for_bound(ViewRequest a, const ViewRequest& b);
+  static void forget_costs(View& view);
   void take_times();
   double queued_ms() const;
   View* next_view();

@@ -10,6 +10,7 @@
 #include "presets/names.h"
 #include "render/classify/classification.h"
 #include "render/raycaster/need.h"
+#include "render/scene/exact.h"
 
 namespace crest {
 namespace {
@@ -30,15 +31,17 @@ std::string why_without(const FeatureList& features, std::string_view name) {
 /// The values that regions have throughout and at which the picture changes at once: at a step, at a spike's
 /// tip, at a surface.
 std::vector<float> regions_on_edges(const Scene& scene) {
+  if (scene.volume->statistics.plateaus.empty()) return {};
   const Classification classification = classify(scene.tf, surface_range(scene));
   const auto& points = scene.tf.points;
   const auto is_edge = [&](float value) {
-    const double v = double(value);
-    const auto equal = [&](const ControlPoint& p) { return p.value == v; };
-    const auto is_here = [&](const Peak& p) {
-      return p.value == v && (p.spike || (p.shown && shows_surfaces(scene.rendering.mode)));
+    const auto is_step = [&](const ControlPoint& a, const ControlPoint& b) {
+      return float(a.value) == value && a.value == b.value && !(a.opacity == b.opacity && a.color == b.color);
     };
-    return (shows_dvr(scene.rendering.mode) && std::ranges::count_if(points, equal) > 1) ||
+    const auto is_here = [&](const Peak& p) {
+      return float(p.value) == value && (p.spike || (p.shown && shows_surfaces(scene.rendering.mode)));
+    };
+    return (shows_dvr(scene.rendering.mode) && std::ranges::adjacent_find(points, is_step) != points.end()) ||
            std::ranges::any_of(classification.peaks, is_here);
   };
   std::vector<float> edges;
@@ -47,7 +50,10 @@ std::vector<float> regions_on_edges(const Scene& scene) {
 }
 
 std::string edge_note(const Scene& scene) {
-  if (is_analytic(scene.rendering.classification) || scene.volume->statistics.range.width() == 0) return "";
+  const Rendering& rendering = scene.rendering;
+  const bool is_sampled = rendering.engine != Engine::reference && !is_analytic(rendering.classification);
+  if (!is_sampled || !why_not_exact(rendering).empty()) return "";
+  if (scene.volume->statistics.range.width() == 0) return "";
   const std::vector<float> edges = regions_on_edges(scene);
   if (edges.empty()) return "";
   const std::string values = edges.size() == 1 ? fmt::format("the value {:g}", edges.front())

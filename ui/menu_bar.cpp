@@ -175,8 +175,8 @@ bool view_menu(Document& document, StudioState& state, StudioRequests& requests)
   tip("When nothing moves, each view goes on to the exact picture of its mode.\nElse it stays as the "
       "settings "
       "have it: step, classification, filter.");
-  if (ImGui::MenuItem("Error at most", "B", state.views.error_bound)) toggle_error_bound(state.views);
-  note_item(state.widgets, "Error at most");
+  if (ImGui::MenuItem("Error bound", "B", state.views.error_bound)) toggle_error_bound(state.views);
+  note_item(state.widgets, "Error bound");
   tip("How far each pixel of the exact picture may be off, in colours");
   ImGui::Separator();
   if (ImGui::MenuItem("All four views", "Esc", state.views.enlarged < 0)) state.views.enlarged = -1;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "presets/choices.h"
 #include "presets/names.h"
 #include "render/scene/camera.h"
 #include "render/scene/error_colors.h"
@@ -46,27 +47,29 @@ void right_aligned(const char* text, float right) {
 }
 
 /// Of an exact picture: how sure that is, and what it is of.
-std::string exact_text(const ViewPicture& view, Mode mode) {
+std::string exact_text(const ViewPicture& view, Mode mode, bool is_lit) {
   std::string sure;
   if (view.progress < 1)
     sure = "becoming exact";
   else if (!view.share_within)
     sure = "exact";
   else
-    sure = fmt::format("exact, {:.4g} % surely within 1/255", 100 * *view.share_within);
+    sure = fmt::format("exact, {:.4g} % surely within 1/255{}", std::floor(1e4 * *view.share_within) / 100,
+                       is_lit ? " but for light" : "");
   return fmt::format("{}: {}", sure, exact_explanation_of(mode));
 }
 
 /// What the view shows, in one line, and more of it under the mouse.
 void explanation(const Rendering& rendering, const ViewsState& views, const ViewPicture& view, Mode mode) {
-  const std::string text = view.is_exact ? exact_text(view, mode) : explanation_of(mode);
+  const bool is_lit = takes_gradient(rendering.shading);
+  const std::string text = view.is_exact ? exact_text(view, mode, is_lit) : explanation_of(mode);
   ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopStyleColor();
   std::string more = text;
   if (view.is_exact)
     more +=
-        "\nBy bounds on all errors of a ray, of a 64th of the pixels; of light there is none."
+        "\nBy bounds on all errors along a ray, of a 64th of the pixels; light is not in them."
         "\nX shows the picture as the settings have it, B how far each pixel may be off.";
   else if (const std::string why_not = why_not_exact(with_mode(rendering, mode)); !why_not.empty())
     more += "\nNot exact: " + why_not;

@@ -122,6 +122,8 @@ void bind_tf_pieces(const Binding& b) {
   bind_texture(b, tf_unit, "tf_pieces", pieces.texture.id());
   set(b.program, "tf_piece_count", pieces.count);
   set(b.program, "extinction_scale", pieces.extinction_scale);
+  const glm::dvec3 steps = b.scene.volume->statistics.largest_difference;
+  set(b.program, "neighbour_range", float(b.units.scale * (steps.x + steps.y + steps.z)));
   if (b.need.features.peaks) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, peak_buffer(b.held, surfaces));
 }
 

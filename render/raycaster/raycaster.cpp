@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "presets/choices.h"
 #include "render/gl/uniforms.h"
 #include "render/raycaster/bindings.h"
 #include "render/resources/classification.h"
@@ -103,7 +104,10 @@ void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget&
 
 std::vector<PixelCounts> Raycaster::draw_counts(const Scene& scene, const Camera& camera,
                                                 gl::RenderTarget& target) {
-  const bool analytic = features(scene, true).analytic;
+  // Where nothing is drawn, nothing is off
+  const Features drawn = need(scene, camera, target.size(), true).features;
+  const bool analytic =
+      drawn.analytic || (is_analytic(scene.rendering.classification) && !drawn.dvr && !drawn.peaks);
   std::vector<PixelCounts> sums(std::size_t(target.size().x) * std::size_t(target.size().y));
   draw(scene, camera, target, Tile{{0, 0}, target.size()}, [&](int pass) {
     const auto counts = target.read_counts();

@@ -14,7 +14,7 @@ RenderCounts sum_of(const std::vector<PixelCounts>& pixels) {
     total.dvr_samples += pixel.dvr_samples;
     total.crossings += pixel.crossings;
     total.crossings_left_out += pixel.crossings_left_out;
-    if (std::isnan(pixel.error_bound)) continue;
+    if (!pixel.hit || std::isnan(pixel.error_bound)) continue;
     total.bounded_pixels += 1;
     total.greatest_error_bound = std::max(total.greatest_error_bound, double(pixel.error_bound));
     total.pixels_within_bound += double(pixel.error_bound) <= 1.0 / 255;

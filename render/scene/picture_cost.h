@@ -28,7 +28,8 @@ struct RenderCounts {
          dvr_samples = 0;  ///< field evaluations (gradient taps apart), and those that DVR classified
   double crossings = 0;
   double crossings_left_out = 0;  ///< in steps with more than max_peaks, in the paper's form
-  /// Of pixels that know their error bound: how many, the greatest, and for how many it is within 1/255.
+  /// Of pixels whose ray meets the box and that know their error bound: how many, the greatest, and for how
+  /// many it is within 1/255.
   double bounded_pixels = 0, greatest_error_bound = 0, pixels_within_bound = 0;
 };
 RenderCounts sum_of(const std::vector<PixelCounts>& pixels);

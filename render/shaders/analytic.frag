@@ -45,7 +45,8 @@ void march_span(Ray ray, Span span) {
 void main() {
   Ray ray = pixel_ray();
   Span span;
-  if (hit_box(ray, span.enter, span.exit) && span.enter < span.exit) {
+  bool is_hit = hit_box(ray, span.enter, span.exit) && span.enter < span.exit;
+  if (is_hit) {
 #if STATISTICS
     counts.w |= 0x80000000u;
 #endif
@@ -58,9 +59,18 @@ void main() {
     if (span.enter < span.exit) march_span(ray, span);
 #endif
   }
+#if STATISTICS
+  // A ray beside the box by less than places are rounded
+  vec3 margin = vec3(rounding * (greatest(abs(ray.origin)) + greatest(box_size)));
+  float t0, t1;
+  if (!is_hit && hit_box(ray, rendered_min - margin, rendered_max + margin, t0, t1)) error_bound = 1.0;
+#endif
   out_color = collected;
 #if STATISTICS
-  counts.w |= floatBitsToUint(min(error_bound, 1.0));
+#if EARLY_TERMINATION
+  if (TERMINATED) error_bound += transmittance;
+#endif
+  counts.w |= floatBitsToUint(clamp(error_bound, 0.0, 1.0));
   out_counts = counts;
 #endif
 }

@@ -9,31 +9,18 @@ float transmittance_slack = 1.0;  // what lies in front may be clearer than it c
 
 // Of the part before: how much the field rose, its error, and how much of the ray lies within it of where the part ends.
 float rise_before, error_before, reach_before;
+float transmittance_at_turn;  // what was met since the field last turned may not be there
 
 void begin_errors() {
   value_error = rise_before = reach_before = 0.0;
   error_before = 3.0e38;
+  transmittance_at_turn = transmittance;
 }
 
 const float rounding = 1.0e-6;  // of a few operations, relative
 
 void add_error(float error) { error_bound += transmittance * transmittance_slack * error; }
-
-// Where the ray begins or ends: the place is rounded, the more the flatter the ray meets the box, and what lies there has
-// so much depth a unit.
-void add_end_error(Ray ray, float depth, float t) {
-  vec3 position = at(ray, t), beside = min(abs(position - rendered_min), abs(position - rendered_max));
-  vec3 flatness = mix(vec3(1.0), 1.0 / max(abs(ray.direction), vec3(1.0e-4)), lessThan(beside, vec3(1.0e-3)));
-  float size = max(abs(t), max(abs(position.x), max(abs(position.y), abs(position.z)))) + 1.0;
-  float moved = rounding * size * max(flatness.x, max(flatness.y, flatness.z));
-  add_error(opacity_of(extinction_scale * depth * moved));
-}
-
-// What 32-bit positions and values may do to the field in a cell: nothing where all its corners are equal.
-float value_error_of(vec2 range, float t, vec3 origin) {
-  float size = range.y - range.x, place = max(abs(t), max(abs(origin.x), max(abs(origin.y), abs(origin.z))));
-  return size > 0.0 ? rounding * (max(abs(range.x), abs(range.y)) + size * place) : 0.0;
-}
+void add_turn_error(float error) { error_bound += transmittance_at_turn * transmittance_slack * error; }
 
 // A panel in which the fraction of the piece is p(x), x from 0 to 1, between p0 and p1: `b` are its coefficients of x, x^2
 // and x^3. `scale` times -log(1 - opacity) is the optical depth of a panel of it; this one's came out as `depth`.
@@ -51,7 +38,7 @@ void add_panel_error(TfPiece piece, vec3 b, float p0, float p1, float scale, flo
   // Simpson's rule leaves out a 2880th of the fourth derivative at most, and no more than g changes
   float g_low = depth_in(piece, low), g_high = depth_in(piece, high), change = abs(g_high - g_low);
   float fraction_error = min(value_error / piece.width, 1.0);
-  float of_depth = scale * (min(g4 / 2880.0, change) + slope * fraction_error) + 4.0 * rounding * depth;
+  float of_depth = scale * (min(g4 / 2880.0, change) + slope * fraction_error) + rounding * (4.0 * depth + scale);
   add_error(min(of_depth, 1.0) * exp(-max(depth - of_depth, 0.0)));
   // Of the mean fraction, weighted with extinction; then of how absorption on the way moves it
   float moment = min((g4 * apart + 4.0 * g3 * p.x + 6.0 * g2 * p.y + 4.0 * g1 * p.z) / 2880.0, max(g_low, g_high) * apart);
@@ -62,7 +49,8 @@ void add_panel_error(TfPiece piece, vec3 b, float p0, float p1, float scale, flo
   vec3 color = abs(piece.rise.rgb);
   float of_color = min(of_mean + of_place, apart) + fraction_error;
   add_error(max(color.r, max(color.g, color.b)) * of_color * opacity_of(depth + of_depth) + 2.0 * rounding);
-  transmittance_slack *= 1.0 + of_depth;
+  error_bound += 0.12 * rounding * collected.a;  // what is added to much loses digits
+  transmittance_slack = min(transmittance_slack * (1.0 + of_depth), 1.0e3);
 }
 
 // The share of a cell in which a field that rises with this slope and bend is within `value_error` of a value.
@@ -70,12 +58,4 @@ float share_within_error(float slope, float bend) {
   return min(2.0 * value_error / max(abs(slope), 1.0e-30), 3.0 * sqrt(value_error / max(abs(bend), 1.0e-30)));
 }
 
-// What may be missed or invented where the field turns, or the ray begins or ends, within `error` of a level: its surfaces,
-// whose opacity is `opacity`, and what the piece beyond it makes of a part `length` long. In that piece the level is at
-// the fraction `at`, 0 or 1.
-float turn_error(TfPiece beyond, float at, float error, float length, float opacity) {
-  float into = clamp(abs(at - error / beyond.width), 0.0, 1.0);
-  float most = error < beyond.width ? max(depth_in(beyond, at), depth_in(beyond, into)) : 17.0;
-  return min(opacity + opacity_of(extinction_scale * length * most), 1.0);
-}
 #endif

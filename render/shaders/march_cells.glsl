@@ -82,49 +82,7 @@ void enter_next_cell(inout March m) {
   m.s = 0.0;
 }
 
-#if STATISTICS
-// A level above or below the piece that may have been met, or not, since the field comes within `error` of it.
-void add_level_error(March m, bool is_above, float error, float length) {
-  int beyond = m.index + (is_above ? 1 : -1);
-  if (beyond < 0 || beyond >= tf_piece_count) return;
-  float opacity = 0.0;
-#if PEAKS
-  ivec2 surfaces = surfaces_above(min(m.index, beyond));
-  for (int i = surfaces.x; i < surfaces.y; ++i) opacity += 2.0 * peaks[i].color_opacity.a;  // there and back
-#endif
-  add_error(turn_error(tf_piece(beyond), is_above ? 0.0 : 1.0, error, length, opacity));
-}
-
-void add_near_levels(March m, float error, float length) {
-  if (m.offsets.below_high < error) add_level_error(m, true, error, length);
-  if (m.offsets.above_low < error) add_level_error(m, false, error, length);
-}
-
-// Where a part begins: the field may have turned, or the ray have begun, on the other side of a level.
-void add_begin_error(Ray ray, March m, CellPart part, float length) {
-  if (m.s == 0.0) value_error = value_error_of(range_of(m.corners), m.walk.t, m.walk.origin);
-  float error = min(value_error, error_before), reach = length * share_within_error(part.p.x, 2.0 * part.p.y);
-  if (m.is_first) add_end_error(ray, depth_in(m.piece, fraction_of(m.piece, m.offsets.above_low)), part.t);
-  if (m.is_first || part.rise * rise_before < 0.0) add_near_levels(m, error, reach + reach_before);
-}
-
-// Where the ray ends.
-void add_exit_error(Ray ray, March m) {
-  add_end_error(ray, depth_in(m.piece, fraction_of(m.piece, m.offsets.above_low)), m.walk.t);
-  if (!m.is_first) add_near_levels(m, value_error, reach_before);
-}
-
-// Where a part ends: `piece` is the one that it lies in, m.piece the one that the ray is in then.
-void add_meeting_error(March m, TfPiece piece, CellPart part, bool meets, bool up, float target, float length) {
-  vec3 ahead = rise_from(part.p, part.size);
-  if (meets) value_error += abs(rise_at(part.p, part.size) - target);
-  reach_before = length * share_within_error(ahead.x, 2.0 * ahead.y);
-  float jump = abs(depth_in(piece, up ? 1.0 : 0.0) - depth_in(m.piece, up ? 0.0 : 1.0));
-  if (meets) add_error(opacity_of(extinction_scale * jump * reach_before));
-  if (part.rise != 0.0) rise_before = part.rise;
-  error_before = value_error;
-}
-#endif
+#include "march_errors.glsl"
 
 // Takes the ray one part further: to the next level, the field's next extremum, or the cell's end.
 void march_part(Ray ray, inout March m) {
@@ -147,9 +105,7 @@ void march_part(Ray ray, inout March m) {
   // A level is met if the field goes beyond it, or if it stays on the upper one
   bool up = part.rise >= 0.0, stays = part.rise == 0.0 && begin.below_high == 0.0 && length > 0.0;
   bool meets = up ? ending.below_high < 0.0 || stays : ending.above_low < 0.0;
-#if STATISTICS
-  add_begin_error(ray, m, part, length);
-#endif
+  ADD_BEGIN_ERROR(part, from, to, length);
   float target = up ? begin.below_high : -begin.above_low;
   if (meets) {
     part.size = solve_rise(part.p, target, part.size, part.rise);
@@ -159,24 +115,25 @@ void march_part(Ray ray, inout March m) {
 #if DVR
   composite_part(ray, m.piece, part);
 #endif
-#if STATISTICS
-  TfPiece piece = m.piece;
-#endif
   m.is_first = m.is_first && !(part.length > 0.0);
   m.s = meets ? m.s + part.size : end < 1.0 ? end : 2.0;
   m.offsets = ending;
   if (meets) {
+    TfPiece left = m.piece;
     m.index += up ? 1 : -1;
     m.piece = tf_piece(m.index);
     m.offsets = up ? Offsets(0.0, m.piece.width) : Offsets(m.piece.width, 0.0);
 #if PEAKS
     ivec2 crossed = surfaces_above(up ? m.index - 1 : m.index);
+#else
+    ivec2 crossed = ivec2(0);
+#endif
+    ADD_MEETING_ERROR(left, part, up, target, length, crossed.x < crossed.y);
+#if PEAKS
     composite_surfaces(ray, crossed.x, m.is_first ? crossed.x : crossed.y, up, m.walk.t + m.s * length);
 #endif
   }
-#if STATISTICS
-  add_meeting_error(m, piece, part, meets, up, target, length);
-#endif
+  END_PART_ERROR(part, meets, length);
 }
 
 // Mesa 22.3's llvmpipe takes a value that a loop has computed from the last lane that leaves the loop, unless it leaves at
@@ -191,9 +148,7 @@ void march_cells(Ray ray, Span span) {
   m.corners = corners_of(m.walk);
   m.s = 0.0;
   m.offsets = Offsets(3.0e38, 3.0e38);
-#if STATISTICS
-  begin_errors();
-#endif
+  BEGIN_ERRORS;
   m.more = true;
   find_piece(m);
 #if LONG_RAYS
@@ -208,6 +163,10 @@ void march_cells(Ray ray, Span span) {
     }
 #if EMPTY_CELLS
     bool empty = m.more && m.s == 0.0 && MAY_BE_EMPTY;
+    if (empty) {
+      ADD_EXIT_ERROR;
+      BEGIN_ERRORS;
+    }
     for (int cells = most_cells; empty && cells > 0; --cells) {
       enter_next_cell(m);
       empty = m.more && MAY_BE_EMPTY;
@@ -215,8 +174,8 @@ void march_cells(Ray ray, Span span) {
     }
 #endif
     if (m.more) march_part(ray, m);
-#if STATISTICS
-    if (!m.more) add_exit_error(ray, m);
-#endif
+    if (!m.more) {
+      ADD_EXIT_ERROR;
+    }
   }
 }
