@@ -67,7 +67,7 @@ std::optional<Rendering> BackgroundChoice::take(const SweepSubject& now) {
   if (!outcome) return std::nullopt;
   results_.is_running = false;
   results_.error = outcome->error;
-  if (!outcome->choice) return std::nullopt;
+  if (!outcome->choice || thread_.get_stop_token().stop_requested()) return std::nullopt;
   if (!is_same_scene(subject_, now)) {
     results_.error = "the scene or the view changed meanwhile: choose again";
     return std::nullopt;

@@ -63,7 +63,7 @@ void choice_rows(const Document& document, StudioState& state, const StudioInput
   note_item(state.widgets, "choose");
   ImGui::EndDisabled();
   tip("Picks engine, classification, placement and step for this scene and view:\nthe fastest setting of the "
-      "mode in the file that keeps the target of the Accuracy panel,\nby exact rays spread over the picture. "
+      "preset's mode that keeps the target of the Accuracy panel,\nby exact rays spread over the picture. "
       "One undo takes it back.");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
@@ -79,6 +79,7 @@ void choice_rows(const Document& document, StudioState& state, const StudioInput
   wrapped(choice.chosen->meets_target ? palette::good : palette::warning,
           choice_text(choice, inputs.accuracy));
   note_item(state.widgets, choice.chosen->meets_target ? "chosen" : "chosen, target missed");
+  if (state.views.exact) ImGui::TextDisabled("The views show the exact picture; X shows this one.");
 }
 
 }  // namespace crest

@@ -138,11 +138,13 @@ class Search {
   }
   void prepare_levels() {
     Level trial{sparse_size(full_, trial_rays), {}};
-    solve(trial);
-    levels_ = levels_of(full_, first_rays / shown_share(*trial.exact));
     const double begin = seconds();
+    solve(trial);
+    exact_seconds_per_ray_ = (seconds() - begin) / pixels(trial);
+    const double most_rays = settings_.most_seconds / std::max(exact_seconds_per_ray_, 1e-9);
+    const double rays = std::min(first_rays / shown_share(*trial.exact), std::max(most_rays, trial_rays));
+    levels_ = levels_of(full_, rays);
     solve(levels_.front());
-    exact_seconds_per_ray_ = (seconds() - begin) / pixels(levels_.front());
   }
   bool can_refine(std::size_t level) const {
     if (level + 1 >= levels_.size()) return false;
@@ -247,7 +249,7 @@ class Search {
 
   void settle();
   std::vector<std::size_t> finalists() const;
-  void time(const std::vector<std::size_t>& indices);
+  void time(const std::vector<std::size_t>& indices);  ///< throws Cancelled
 
   const Scene& scene_;
   const SceneProbe& probe_;
@@ -291,6 +293,7 @@ std::vector<std::size_t> Search::finalists() const {
 
 /// In the scene's own settings: shading takes its time, too.
 void Search::time(const std::vector<std::size_t>& indices) {
+  if (stop_.stop_requested()) throw Cancelled{};
   std::vector<Rendering> renderings;
   for (const std::size_t i : indices)
     renderings.push_back(with_method(scene_.rendering, *choice_.tried[i].method, choice_.tried[i].step));
@@ -323,6 +326,10 @@ void Search::settle() {
 std::optional<Choice> choose_setting(const Scene& scene, glm::ivec2 size, const SceneProbe& probe,
                                      const ChoiceSettings& settings, std::stop_token stop) {
   if (const std::string why = why_without_answer(scene.rendering); !why.empty()) throw Error(why);
+  if (settings.budget_ms && settings.target.measure->id == "flip")
+    throw Error(
+        "flip is told of whole pictures alone: within a budget, the error is share, rmse, p999, max, "
+        "missed or invented");
   try {
     return Search(scene, size, probe, settings, stop).choose();
   } catch (const Cancelled&) {

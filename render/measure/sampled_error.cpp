@@ -44,10 +44,20 @@ Interval root_mean_square(const std::vector<PixelDifference>& differences) {
   for (const auto& d : differences) mean += d.squares / 4 / count;
   for (const auto& d : differences) variance += (d.squares / 4 - mean) * (d.squares / 4 - mean) / count;
   const double doubt = deviations * std::sqrt(variance / count);
-  return {std::sqrt(std::max(mean - doubt, 0.0)), std::sqrt(mean + doubt)};
+  // Pixels that are off by 1, too few for one to be among these
+  const double unseen = proportion(0, count).high;
+  return {std::sqrt(std::max(mean - doubt, 0.0)), std::sqrt(mean + doubt + unseen)};
 }
 
-Interval interval_of(std::string_view measure, const ImageError& error,
+/// Of crossings of which a share is missed, or invented: those of one ray are not independent, so that rays
+/// are counted.
+Interval crossings_interval(double found, double all, const Reference& exact) {
+  if (all <= 0) return {};
+  const auto rays = std::ranges::count_if(exact.crossings, [](std::uint32_t n) { return n > 0; });
+  return proportion(std::min(found / all, 1.0) * double(rays), double(rays));
+}
+
+Interval interval_of(std::string_view measure, const ImageError& error, const Reference& exact,
                      const std::vector<PixelDifference>& differences) {
   const double count = double(differences.size());
   if (measure == "share") {
@@ -58,9 +68,9 @@ Interval interval_of(std::string_view measure, const ImageError& error,
   if (measure == "rmse") return root_mean_square(differences);
   if (measure == "max") return {error.compared.max, infinity};
   if (!error.crossings) return {};
-  if (measure == "missed") return proportion(error.crossings->missed, error.crossings->exact);
-  if (measure == "invented")
-    return proportion(std::min(error.crossings->invented, error.crossings->exact), error.crossings->exact);
+  const auto& crossings = *error.crossings;
+  if (measure == "missed") return crossings_interval(crossings.missed, crossings.exact, exact);
+  if (measure == "invented") return crossings_interval(crossings.invented, crossings.exact, exact);
   return {};
 }
 
@@ -79,7 +89,7 @@ SampledError sampled_error(const ErrorMeasure& measure, const Reference& exact, 
     return sampled;
   }
   if (sampled.rays == 0) return sampled;
-  const Interval interval = interval_of(measure.id, error, compared_differences(exact, image));
+  const Interval interval = interval_of(measure.id, error, exact, compared_differences(exact, image));
   sampled.low = interval.low;
   sampled.high = interval.high;
   return sampled;

@@ -67,13 +67,16 @@ Formula sum_of_waves(Dice& dice) {
 }
 
 std::shared_ptr<const Volume> waves(Dice& dice) {
-  return scaled_volume(dice, "waves", random_grid(dice), sum_of_waves(dice));
+  const auto sum = sum_of_waves(dice);
+  const Grid grid = random_grid(dice);
+  return scaled_volume(dice, "waves", grid, sum);
 }
 
 std::shared_ptr<const Volume> stretched_waves(Dice& dice) {
   Grid grid = random_grid(dice);
   grid.spacing *= dice.vector(0.25, 4);
-  return scaled_volume(dice, "stretched waves", grid, sum_of_waves(dice));
+  const auto sum = sum_of_waves(dice);
+  return scaled_volume(dice, "stretched waves", grid, sum);
 }
 
 /// Balls that fade towards their rims, some of them hollows.
@@ -83,10 +86,12 @@ std::shared_ptr<const Volume> shells(Dice& dice) {
     double radius, height;
   };
   std::array<Ball, 5> balls;
-  for (Ball& ball : balls)
-    ball = {dice.vector(0.1, 0.9), dice.between(0.2, 0.5),
-            dice.pick({1.0, 0.6, -0.5}) * dice.between(0.5, 1)};
-  return scaled_volume(dice, "shells", random_grid(dice), [&](glm::dvec3 place) {
+  for (Ball& ball : balls) {
+    ball = {dice.vector(0.1, 0.9), dice.between(0.2, 0.5), dice.pick({1.0, 0.6, -0.5})};
+    ball.height *= dice.between(0.5, 1);
+  }
+  const Grid grid = random_grid(dice);
+  return scaled_volume(dice, "shells", grid, [&](glm::dvec3 place) {
     double sum = 0;
     for (const auto& [middle, radius, height] : balls) {
       const double depth = 1 - glm::dot(place - middle, place - middle) / (radius * radius);
@@ -105,7 +110,8 @@ std::shared_ptr<const Volume> tubes(Dice& dice) {
   std::array<Tube, 9> tubes;
   for (Tube& tube : tubes)
     tube = {dice.vector(0.1, 0.9), dice.vector(-1, 1), dice.between(0.03, 0.09), dice.between(0.4, 1)};
-  return scaled_volume(dice, "tubes", random_grid(dice), [&](glm::dvec3 place) {
+  const Grid grid = random_grid(dice);
+  return scaled_volume(dice, "tubes", grid, [&](glm::dvec3 place) {
     double highest = 0;
     for (const auto& [through, along, radius, height] : tubes) {
       const glm::dvec3 from = place - through;
@@ -125,7 +131,8 @@ std::shared_ptr<const Volume> labels(Dice& dice) {
   std::array<int, sites.size()> label_of;
   for (std::size_t i = 0; i < sites.size(); ++i) {
     // Grid points, so that each label is there
-    sites[i] = place_of(grid, dice.one_of(grid.dims.x), dice.one_of(grid.dims.y), dice.one_of(grid.dims.z));
+    const int z = dice.one_of(grid.dims.z), y = dice.one_of(grid.dims.y), x = dice.one_of(grid.dims.x);
+    sites[i] = place_of(grid, x, y, z);
     label_of[i] = i < label_count ? int(i) : dice.one_of(label_count);
   }
   return volume_of("labels", grid, [&](glm::dvec3 place) {

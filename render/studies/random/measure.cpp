@@ -72,7 +72,7 @@ void measure_method(RandomSceneStudy& study, Subject& subject, const Method& met
 RandomMeasurement compare_random(const Reference& exact, const Image& image,
                                  std::span<const std::uint32_t> crossings) {
   RandomMeasurement m;
-  m.error = image_error(exact, image, crossings, glm::vec3(0));
+  m.error = image_error(exact, image, crossings, std::nullopt);
   m.wrong = std::size_t(std::lround(m.error.compared.share * double(m.error.compared.pixels)));
   const std::vector<float> differences = pixel_differences(exact.image(), image);
   float largest = 0;

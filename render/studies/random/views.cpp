@@ -43,7 +43,8 @@ Camera outside(Dice& dice, const Grid& grid) {
 Camera inside(Dice& dice, const Grid& grid) {
   const glm::dvec3 eye = grid.origin + dice.vector(0.2, 0.8) * grid.box_size(),
                    target = grid.origin + dice.vector(0, 1) * grid.box_size();
-  return looking(eye, target, random_direction(dice), dice.pick({60.0, 90.0}));
+  const double fov_y_degrees = dice.pick({60.0, 90.0});
+  return looking(eye, target, random_direction(dice), fov_y_degrees);
 }
 
 /// The eye lies in a face's plane, and looks along it.
