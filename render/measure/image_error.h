@@ -42,8 +42,9 @@ struct ImageError {
   double grazing_share() const;  ///< of all pixels where either picture has alpha > 0
 };
 
-/// Compares a picture with the exact one of the same size, for FLIP over `background`; without one FLIP, which
-/// takes longer than all the rest, is NaN. `crossings` are those that were composited, by pixel; or empty.
+/// Compares a picture with the exact one of the same size, for FLIP over `background`; without one FLIP,
+/// which takes longer than all the rest, is NaN. `crossings` are those that were composited, by pixel; or
+/// empty.
 ImageError image_error(const Reference& exact, const Image& image, std::span<const std::uint32_t> crossings,
                        std::optional<glm::vec3> background);
 
