@@ -40,6 +40,10 @@ void BackgroundChoice::start(const SweepSubject& subject, const ChoiceSettings& 
 
 void BackgroundChoice::stop() { thread_.request_stop(); }
 
+void BackgroundChoice::update(const SweepSubject& now) {
+  if (is_running() && !is_same_scene(subject_, now)) stop();
+}
+
 bool BackgroundChoice::has_news() const {
   const std::scoped_lock lock(mutex_);
   return outcome_.has_value();
@@ -67,11 +71,10 @@ std::optional<Rendering> BackgroundChoice::take(const SweepSubject& now) {
   if (!outcome) return std::nullopt;
   results_.is_running = false;
   results_.error = outcome->error;
-  if (!outcome->choice || thread_.get_stop_token().stop_requested()) return std::nullopt;
-  if (!is_same_scene(subject_, now)) {
-    results_.error = "the scene or the view changed meanwhile: choose again";
-    return std::nullopt;
-  }
+  if (results_.error.empty() && !is_same_scene(subject_, now))
+    results_.error = "the scene or the view changed meanwhile; choose again";
+  const bool is_stopped = thread_.get_stop_token().stop_requested();
+  if (!outcome->choice || is_stopped || !results_.error.empty()) return std::nullopt;
   results_.chosen = std::move(outcome->choice);
   return results_.chosen->rendering;
 }

@@ -28,6 +28,8 @@ class BackgroundChoice {
   /// Begins, unless one is under way.
   void start(const SweepSubject& subject, const ChoiceSettings& settings);
   void stop();
+  /// What is in the window now: a choice for something else is stopped.
+  void update(const SweepSubject& now);
   bool is_running() const { return results_.is_running; }  ///< until take() has taken its end
   bool has_news() const;                                   ///< take() has something to take
 

@@ -51,7 +51,8 @@ std::vector<Device> find_devices() {
   return devices;
 }
 
-/// The context on one display, made current; null when the display cannot give it.
+/// The context on one display, made current; null when the display cannot give it. All contexts of a device
+/// have one display, also in other threads, and eglTerminate() does not count them: it ends with the program.
 EGLContext make_current_context(EGLDisplay display, bool debug) {
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return EGL_NO_CONTEXT;
   eglBindAPI(EGL_OPENGL_API);
@@ -68,7 +69,6 @@ EGLContext make_current_context(EGLDisplay display, bool debug) {
   if (context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
     return context;
   if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-  eglTerminate(display);
   return EGL_NO_CONTEXT;
 }
 
@@ -97,7 +97,6 @@ OffscreenContext::OffscreenContext(int device, bool debug) {
 OffscreenContext::~OffscreenContext() {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
-  eglTerminate(display_);
 }
 
 std::string OffscreenContext::renderer() const {

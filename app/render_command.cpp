@@ -38,21 +38,27 @@ void print_statistics(nlohmann::ordered_json json, const std::string& renderer) 
   fmt::print("{}\n", json.dump(2));
 }
 
-void render_on_gpu(const Scene& scene, const Camera& camera, const RenderOptions& render_options) {
-  const PictureOptions& options = render_options.picture;
-  const std::filesystem::path bound_file = render_options.error_bound;
-  const OffscreenContext context(options.device);
-  Renderer renderer({}, program_folder());
-  const auto picture = measure_pictures(renderer, {scene}, camera, options.pixels(), options.frames,
-                                        options.json || !bound_file.empty())[0];
+MeasuredPicture draw_and_write(Renderer& renderer, const Scene& scene, const Camera& camera,
+                               const RenderOptions& all) {
+  const PictureOptions& options = all.picture;
+  const std::filesystem::path bound_file = all.error_bound;
+  const bool counts = options.json || !bound_file.empty();
+  auto picture = measure_pictures(renderer, {scene}, camera, options.pixels(), options.frames, counts)[0];
   write_image(options.output, picture.image, scene.rendering.background);
   if (!bound_file.empty())
     write_image(bound_file,
                 error_bound_picture(picture.error_bounds, options.pixels(), bound_file.extension() != ".exr"),
                 glm::vec3(0));
   print_warnings(picture.warnings);
+  return picture;
+}
+
+void render_on_gpu(const Scene& scene, const Camera& camera, const RenderOptions& all) {
+  const OffscreenContext context(all.picture.device);
+  Renderer renderer({}, program_folder());
+  const auto picture = draw_and_write(renderer, scene, camera, all);
   print_notes(picture.notes);
-  if (options.json) print_statistics(statistics_json(picture, renderer, scene), context.renderer());
+  if (all.picture.json) print_statistics(statistics_json(picture, renderer, scene), context.renderer());
 }
 
 void render_on_cpu(const Scene& scene, const Camera& camera, const RenderOptions& render_options) {
@@ -74,11 +80,12 @@ void render_as_chosen(Scene scene, const Camera& camera, const RenderOptions& al
   const glm::ivec2 size = options.pixels();
   const Choice choice = *choose_setting(scene, size, probe_scene(renderer, scene, camera, size), settings);
   scene.rendering = choice.rendering;
-  const auto picture = measure_pictures(*renderer, {scene}, camera, size, options.frames, options.json)[0];
-  write_image(options.output, picture.image, scene.rendering.background);
-  print_warnings(picture.warnings);
+  const auto picture = draw_and_write(*renderer, scene, camera, all);
   auto notes = picture.notes;
   if (!choice.meets_target || !choice.fits_budget) notes.push_back("--auto: " + choice.why);
+  if (const double residual = scene.rendering.early_termination; residual > 0)
+    notes.push_back(
+        fmt::format("--auto: what early_termination {:g} leaves out is not in the error foretold", residual));
   print_notes(notes);
   if (!options.json) {
     fmt::print("{}\n", choice_line(choice, settings.target, median(picture.frame_ms)));

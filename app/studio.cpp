@@ -305,6 +305,7 @@ void Studio::take_choice() {
 /// For the size of the view of the preset's own mode, or of another where that is not to be seen.
 void Studio::update_choice(const StudioRequests& requests) {
   if (requests.stop_choosing) choice_.stop();
+  if (choice_.is_running() && loaded_.volume) choice_.update(choice_subject({1, 1}));
   if (choice_.is_running()) sweep_.rest_until(BackgroundSweep::Clock::now() + quiet);
   glm::ivec2 size{0};
   for (std::size_t i = 0; i < view_count; ++i)

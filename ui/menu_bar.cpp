@@ -172,9 +172,8 @@ bool view_menu(Document& document, StudioState& state, StudioRequests& requests)
   ImGui::MenuItem("Outline and axes", nullptr, &state.views.outline);
   if (ImGui::MenuItem("Exact at rest", "X", state.views.exact)) toggle_exact(state.views);
   note_item(state.widgets, "Exact at rest");
-  tip("When nothing moves, each view goes on to the exact picture of its mode.\nElse it stays as the "
-      "settings "
-      "have it: step, classification, filter.");
+  tip("When nothing moves, each view goes on to the exact picture of its mode.\n"
+      "Else it stays as the settings have it: step, classification, filter.");
   if (ImGui::MenuItem("Error bound", "B", state.views.error_bound)) toggle_error_bound(state.views);
   note_item(state.widgets, "Error bound");
   tip("How far each pixel of the exact picture may be off, in colours");

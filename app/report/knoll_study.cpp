@@ -71,24 +71,18 @@ void run_knoll_study(const StudyOptions& options) {
   report.renderer = context.renderer();
   const auto begin = steady_clock::now();
   const auto taken = [&] { return duration<double>(steady_clock::now() - begin).count(); };
-  try {
+  work_on_study(options, [&] {
     KnollLab lab(settings);
     report.results = measure_knoll(lab, scenes, options.budget_seconds, [&](const std::string& what) {
       fmt::print(stderr, "{:.0f} s: {}\n", taken(), what);
     });
-  } catch (const Cancelled&) {
-    throw Error(
-        fmt::format("{}: stopped before the study was done; nothing is written", options.folder.string()));
-  }
+  });
   report.seconds = taken();
   if (report.results.table1.empty())
     throw Error(
         fmt::format("{}: nothing was measured: the budget has no time for a scene", options.folder.string()));
   const Json json = write_study(report, options.folder);
-  if (options.json)
-    fmt::print("{}", print_json(json));
-  else
-    fmt::print("{}\n", (options.folder / "knoll.html").string());
+  print_study(options, json, (options.folder / "knoll.html").string() + "\n");
 }
 
 }  // namespace crest

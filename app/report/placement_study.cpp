@@ -101,17 +101,9 @@ void run_placement_study(const StudyOptions& options) {
   const OffscreenContext context(options.device);
   report.renderer = context.renderer();
   Raycaster raycaster;
-  try {
-    study_scenes(report, raycaster, options);
-  } catch (const Cancelled&) {
-    throw Error(
-        fmt::format("{}: stopped before the study was done; nothing is written", options.folder.string()));
-  }
+  work_on_study(options, [&] { study_scenes(report, raycaster, options); });
   const Json json = write_study(report, options.folder);
-  if (options.json)
-    fmt::print("{}", print_json(json));
-  else
-    fmt::print("{}\n", (options.folder / "placement.html").string());
+  print_study(options, json, (options.folder / "placement.html").string() + "\n");
 }
 
 }  // namespace crest

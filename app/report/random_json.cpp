@@ -41,7 +41,7 @@ Json to_json(const StepSummary& s) {
           {"wrong", s.wrong},
           {"within", s.within()},
           {"worst_scene", s.worst_scene < 0 ? Json() : Json(s.worst_scene)},
-          {"worst_within", s.worst_within},
+          {"worst_within", s.worst_scene < 0 ? Json() : Json(s.worst_within)},
           {"rmse", s.rmse},
           {"max", s.max},
           {"outliers", s.outliers},
@@ -72,7 +72,7 @@ Json to_json(const RandomMeasurement& m) {
           {"pixels", e.pixels},
           {"grazing_pixels", m.error.grazing.pixels},
           {"wrong", m.wrong},
-          {"within", 1 - e.share},
+          {"within", e.pixels == 0 ? Json() : Json(1 - e.share)},
           {"rmse", e.rmse},
           {"max", e.max},
           {"outliers", m.outliers},
@@ -89,7 +89,9 @@ std::string line_of(const MethodSummary& summary) {
   std::string text = fmt::format("{:<17} {:<31}", summary.method, name_of(summary.answer));
   for (std::size_t i = 0; i < columns; ++i)
     text += fmt::format(" {:>8}", i < steps.size() ? percent(steps[i].within()) : "");
-  text += fmt::format(" {:>8} {:>5}", percent(steps.back().worst_within), steps.back().worst_scene);
+  const StepSummary& last = steps.back();
+  text += last.worst_scene < 0 ? fmt::format(" {:>8} {:>5}", "-", "-")
+                               : fmt::format(" {:>8} {:>5}", percent(last.worst_within), last.worst_scene);
   for (std::size_t i = 0; i + 1 < columns; ++i) {
     const bool is_known = i < summary.orders.size() && summary.orders[i];
     text += fmt::format(" {:>5}", is_known ? fmt::format("{:.1f}", *summary.orders[i]) : "-");

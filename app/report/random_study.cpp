@@ -80,17 +80,9 @@ void run_random_study(const StudyOptions& options) {
   report.size = options.size.value_or(RandomStudySettings{}.size);
   const OffscreenContext context(options.device);
   report.renderer = context.renderer();
-  try {
-    study_scenes(report, options);
-  } catch (const Cancelled&) {
-    throw Error(
-        fmt::format("{}: stopped before the study was done; nothing is written", options.folder.string()));
-  }
+  work_on_study(options, [&] { study_scenes(report, options); });
   const Json json = write_study(report, options.folder);
-  if (options.json)
-    fmt::print("{}", print_json(json));
-  else
-    fmt::print("{}{}\n", random_table(report), (options.folder / "random.html").string());
+  print_study(options, json, random_table(report) + (options.folder / "random.html").string() + "\n");
 }
 
 }  // namespace crest

@@ -1,9 +1,14 @@
 #include "app/report/studies.h"
 
+#include <fmt/core.h>
+
 #include "app/report/knoll_study.h"
 #include "app/report/placement_study.h"
 #include "app/report/random_study.h"
 #include "app/report/vdls_study.h"
+#include "presets/error.h"
+#include "presets/json.h"
+#include "render/reference/reference.h"
 
 namespace crest {
 
@@ -18,6 +23,19 @@ std::span<const Study> studies() {
        false, true, true},
   };
   return table;
+}
+
+void work_on_study(const StudyOptions& options, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Cancelled&) {
+    throw Error(
+        fmt::format("{}: stopped before the study was done; nothing is written", options.folder.string()));
+  }
+}
+
+void print_study(const StudyOptions& options, const Json& json, const std::string& text) {
+  fmt::print("{}", options.json ? print_json(json) : text);
 }
 
 }  // namespace crest

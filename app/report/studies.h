@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "app/scene_options.h"
+#include "presets/json_text.h"
 
 namespace crest {
 
@@ -39,5 +40,12 @@ struct Study {
 
 /// All studies: a new one is a line here.
 std::span<const Study> studies();
+
+/// Does a study's work. Throws Error, which says so, where it was stopped (Cancelled): nothing is written
+/// yet.
+void work_on_study(const StudyOptions& options, const std::function<void()>& work);
+
+/// Prints what was written: its JSON, where that was asked for, else `text`.
+void print_study(const StudyOptions& options, const Json& json, const std::string& text);
 
 }  // namespace crest

@@ -289,20 +289,12 @@ void run_vdls_study(const StudyOptions& options) {
   report.size = options.size.value_or(default_size);
   const OffscreenContext context(options.device);
   report.renderer = context.renderer();
-  {
+  work_on_study(options, [&] {
     Lab lab{Renderer(), report.size, options.budget_seconds, options.stop};
-    try {
-      study(report, lab, options.data_folder);
-    } catch (const Cancelled&) {
-      throw Error(
-          fmt::format("{}: stopped before the study was done; nothing is written", options.folder.string()));
-    }
-  }
+    study(report, lab, options.data_folder);
+  });
   const Json json = write_study(report, options.folder);
-  if (options.json)
-    fmt::print("{}", print_json(json));
-  else
-    fmt::print("{}\n", (options.folder / "vdls.html").string());
+  print_study(options, json, (options.folder / "vdls.html").string() + "\n");
 }
 
 }  // namespace crest

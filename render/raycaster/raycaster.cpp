@@ -58,8 +58,7 @@ Features Raycaster::features(const Scene& scene, bool statistics) {
 }
 
 void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
-                     const std::function<void(int pass)>& after_pass) {
-  const Need needs = need(scene, camera, target.size(), target.has_counts());
+                     const Need& needs, const std::function<void(int pass)>& after_pass) {
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
   glViewport(0, 0, target.size().x, target.size().y);
   glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
@@ -95,7 +94,7 @@ void Raycaster::draw_passes(const Scene& scene, const Camera& camera, const gl::
 }
 
 void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
-  draw(scene, camera, target, tile, {});
+  draw(scene, camera, target, tile, need(scene, camera, target.size(), target.has_counts()), {});
 }
 
 void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
@@ -105,11 +104,12 @@ void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget&
 std::vector<PixelCounts> Raycaster::draw_counts(const Scene& scene, const Camera& camera,
                                                 gl::RenderTarget& target) {
   // Where nothing is drawn, nothing is off
-  const Features drawn = need(scene, camera, target.size(), true).features;
+  const Need needs = need(scene, camera, target.size(), target.has_counts());
+  const Features& drawn = needs.features;
   const bool analytic =
       drawn.analytic || (is_analytic(scene.rendering.classification) && !drawn.dvr && !drawn.peaks);
   std::vector<PixelCounts> sums(std::size_t(target.size().x) * std::size_t(target.size().y));
-  draw(scene, camera, target, Tile{{0, 0}, target.size()}, [&](int pass) {
+  draw(scene, camera, target, Tile{{0, 0}, target.size()}, needs, [&](int pass) {
     const auto counts = target.read_counts();
     for (std::size_t i = 0; i < sums.size(); ++i) {
       sums[i].samples += counts[i].x;

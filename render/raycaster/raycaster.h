@@ -51,7 +51,7 @@ class Raycaster {
 
  private:
   Need find_need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics);
-  void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
+  void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile, const Need& needs,
             const std::function<void(int pass)>& after_pass);
   void draw_passes(const Scene& scene, const Camera& camera, const gl::RenderTarget& target,
                    const Need& needs, const std::function<void(int pass)>& after_pass);

@@ -87,6 +87,27 @@ TEST_F(BackgroundChoiceTest, IsStopped) {
   EXPECT_EQ(choice.results().error, "");
 }
 
+// Pressed when it was done, but not yet taken.
+TEST_F(BackgroundChoiceTest, WhatIsStoppedLateIsNotTaken) {
+  fake.goes_on = false;
+  choice.start(subject, {});
+  while (!choice.has_news()) std::this_thread::yield();
+  choice.stop();
+  EXPECT_FALSE(choice.take(subject));
+  EXPECT_FALSE(choice.results().chosen);
+  EXPECT_EQ(choice.results().error, "");
+}
+
+TEST_F(BackgroundChoiceTest, EndsWhereTheSceneChanges) {
+  choice.start(subject, {});
+  choice.update(subject);
+  EXPECT_FALSE(choice.has_news());
+  subject.camera.fov_y_degrees += 1;
+  choice.update(subject);  // else it goes on for ever
+  EXPECT_FALSE(taken());
+  EXPECT_NE(choice.results().error.find("choose again"), std::string::npos);
+}
+
 TEST_F(BackgroundChoiceTest, ItsErrorIsTold) {
   fake.goes_on = false;
   fake.fails = true;

@@ -98,9 +98,8 @@ TEST_F(KnollStudy, WrongCommandLines) {
 }
 
 TEST_F(KnollStudy, StoppedItWritesNothing) {
-  const Outcome outcome =
-      run({"report", "--study", "knoll", "--size", "64x64", "-o", path("out")},
-          no_real_volumes + "self=$(exec sh -c 'echo $PPID'); (sleep 3; kill -INT $self) &");
+  const Outcome outcome = run({"report", "--study", "knoll", "--size", "64x64", "-o", path("out")},
+                              no_real_volumes + interrupted_after(3));
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("nothing is written"), std::string::npos) << outcome.err;
   EXPECT_EQ(names(), Words{});

@@ -105,6 +105,10 @@ std::vector<std::string> ProgramTest::names() const {
   return names;
 }
 
+std::string interrupted_after(int seconds) {
+  return fmt::format("self=$(exec sh -c 'echo $PPID'); (sleep {}; kill -INT $self) &", seconds);
+}
+
 std::string content_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};

@@ -44,6 +44,9 @@ class ProgramTest : public testing::Test {
 
 std::string content_of(const std::filesystem::path& file);
 
+/// A shell's prefix for a run that gets Ctrl-C after so long.
+std::string interrupted_after(int seconds);
+
 /// `first` with `rest` behind it.
 std::vector<std::string> operator+(std::vector<std::string> first, const std::vector<std::string>& rest);
 

@@ -74,12 +74,9 @@ TEST_F(RandomStudy, ItsPageStandsAloneAndItsTableIsPrinted) {
 
 TEST_F(RandomStudy, StoppedItLeavesNothing) {
   const Words words{"report", "--study", "random", "-o", path("new/out")};
-  const Outcome outcome = run(words, "self=$(exec sh -c 'echo $PPID'); (sleep 2; kill -INT $self) &");
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err,
-            "crest: " + path("new/out") + ": stopped before the study was done; nothing is written\n");
-  EXPECT_EQ(names(), Words{});
+  expect_error(1, words,
+               {"crest: " + path("new/out") + ": stopped before the study was done; nothing is written\n"},
+               interrupted_after(2));
 }
 
 TEST_F(RandomStudy, WrongCommandLines) {

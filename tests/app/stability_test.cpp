@@ -43,12 +43,8 @@ TEST_F(Stability, WritesAllOfItsTable) {
 }
 
 TEST_F(Stability, StoppedItLeavesNothing) {
-  const Outcome outcome = run(stability({"--size", "256x256", "-o", path("new/folder")}),
-                              "self=$(exec sh -c 'echo $PPID'); (sleep 3; kill -INT $self) &");
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err, "crest: stopped before the table was done; nothing is written\n");
-  EXPECT_EQ(names(), Words{});
+  expect_error(1, stability({"--size", "256x256", "-o", path("new/folder")}),
+               {"crest: stopped before the table was done; nothing is written\n"}, interrupted_after(3));
 }
 
 TEST_F(Stability, WrongCommandLines) {
