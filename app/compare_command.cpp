@@ -27,17 +27,17 @@ struct LabelledPicture {
   std::vector<std::string> warnings, notes;
 };
 
-struct Comparison {
+struct ComparedPictures {
   std::vector<LabelledPicture> pictures;
   std::string renderer;
 };
 
-Comparison compare_on_gpu(const std::vector<Scene>& scenes, const Camera& camera,
-                          const PictureOptions& options) {
+ComparedPictures compare_on_gpu(const std::vector<Scene>& scenes, const Camera& camera,
+                                const PictureOptions& options) {
   const OffscreenContext context(options.device);
   Renderer renderer({}, program_folder());
   auto measured = measure_pictures(renderer, scenes, camera, options.pixels(), options.frames, options.json);
-  Comparison comparison{{}, context.renderer()};
+  ComparedPictures comparison{{}, context.renderer()};
   auto& pictures = comparison.pictures;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const Rendering& rendering = scenes[i].rendering;
@@ -50,10 +50,10 @@ Comparison compare_on_gpu(const std::vector<Scene>& scenes, const Camera& camera
   return comparison;
 }
 
-Comparison compare_exactly(const std::vector<Scene>& scenes, const Camera& camera,
-                           const PictureOptions& options) {
+ComparedPictures compare_exactly(const std::vector<Scene>& scenes, const Camera& camera,
+                                 const PictureOptions& options) {
   const auto exact = render_exact_pictures(scenes, camera, options.pixels(), options.output);
-  Comparison comparison{{}, exact_renderer};
+  ComparedPictures comparison{{}, exact_renderer};
   for (std::size_t i = 0; i < scenes.size(); ++i)
     comparison.pictures.push_back(
         {exact[i].reference.image(),
@@ -74,7 +74,7 @@ void compare_modes(const CompareOptions& options) {
     scenes.back().rendering = in_mode(scenes.back().rendering, mode);
   }
   const auto compare = preset.rendering.engine == Engine::reference ? compare_exactly : compare_on_gpu;
-  Comparison comparison = compare(scenes, camera_of(preset, volume->grid, aspect), options.picture);
+  ComparedPictures comparison = compare(scenes, camera_of(preset, volume->grid, aspect), options.picture);
   std::vector<LabelledImage> labelled;
   for (LabelledPicture& picture : comparison.pictures)
     labelled.push_back({std::move(picture.image), picture.label});

@@ -19,8 +19,8 @@ nlohmann::ordered_json summarise(std::vector<double> values) {
 }  // namespace
 
 void FrameLog::add_versions(Clock::time_point frame_begin,
-                            const std::array<std::uint64_t, view_count>& wanted,
-                            const std::array<std::uint64_t, view_count>& shown) {
+                            const std::array<std::uint64_t, picture_count>& wanted,
+                            const std::array<std::uint64_t, picture_count>& shown) {
   const auto now = Clock::now();
   for (std::size_t i = 0; i < view_count; ++i) {
     if (wanted[i] != last_wanted_[i]) waiting_[i][wanted[i]] = frame_begin;

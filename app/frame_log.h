@@ -21,8 +21,8 @@ class FrameLog {
   void add_frame(double ms) { frame_ms_.push_back(ms); }
   /// Tells what each view wants and shows, at the end of each frame; an edit counts from the beginning of the
   /// frame that first wants it.
-  void add_versions(Clock::time_point frame_begin, const std::array<std::uint64_t, view_count>& wanted,
-                    const std::array<std::uint64_t, view_count>& shown);
+  void add_versions(Clock::time_point frame_begin, const std::array<std::uint64_t, picture_count>& wanted,
+                    const std::array<std::uint64_t, picture_count>& shown);
 
   /// Count, median, 95th percentile and maximum, as JSON.
   std::string summary() const;

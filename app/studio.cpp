@@ -219,6 +219,7 @@ void Studio::open(const std::string& source) {
 
 void Studio::handle(const StudioRequests& requests) {
   quit_ = requests.quit;
+  if (!requests.problem.empty()) say(requests.problem, true);
   if (requests.new_preset) {
     fit_ = nullptr;
     document_.preset = Preset{};
@@ -253,7 +254,8 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.performance = performance_;
   inputs.accuracy = &sweep_.results();
   inputs.choice = &choice_.results();
-  for (int i = 0; i < view_count; ++i) inputs.views[std::size_t(i)] = views_.picture(i);
+  for (int i = 0; i < picture_count; ++i) inputs.views[std::size_t(i)] = views_.picture(i);
+  inputs.difference = difference_.picture();
   if (!loaded_.volume) return inputs;
   const Scene scene = make_scene(loaded_.volume, document_.preset);
   const Classification& classification = views_.renderer().classification(scene);
@@ -264,21 +266,36 @@ StudioInputs Studio::inputs(bool close_requested) {
   return inputs;
 }
 
-std::array<ViewRequest, view_count> Studio::view_requests(const StudioRequests& requests) const {
-  std::array<ViewRequest, view_count> wanted;
+/// A content's picture; by the exact march where that is wanted, and there is one for the settings.
+ViewRequest Studio::request_of(const ViewContent& content, ShownPicture shown_by_all, glm::ivec2 size) const {
+  const Camera camera = camera_of(document_.preset, loaded_.volume->grid, aspect_of(size));
+  ViewRequest request{make_scene(loaded_.volume, preset_of(content, document_.preset)), camera, size};
+  const ShownPicture shown = content.picture.value_or(shown_by_all);
+  Rendering& rendering = request.scene.rendering;
+  if (shown == ShownPicture::as_set || !why_not_exact(rendering).empty()) return request;
+  rendering = exact_rendering(rendering);
+  request.error_bound = shown == ShownPicture::error_bound;
+  return request;
+}
+
+std::array<ViewRequest, picture_count> Studio::view_requests(const StudioRequests& requests) const {
+  std::array<ViewRequest, picture_count> wanted;
   if (!loaded_.volume) return wanted;
-  const Scene scene = make_scene(loaded_.volume, document_.preset);
-  for (std::size_t i = 0; i < view_count; ++i) {
-    const glm::ivec2 size = requests.view_pixels[i];
-    if (size.x <= 0) continue;
-    wanted[i] = {scene, camera_of(document_.preset, loaded_.volume->grid, aspect_of(size)), size};
-    Rendering& rendering = wanted[i].scene.rendering;
-    rendering = in_mode(scene.rendering, view_modes[i]);
-    if (requests.shown_picture == ShownPicture::as_set || !why_not_exact(rendering).empty()) continue;
-    rendering = exact_rendering(rendering);
-    wanted[i].error_bound = requests.shown_picture == ShownPicture::error_bound;
-  }
+  for (std::size_t i = 0; i < view_count; ++i)
+    if (const glm::ivec2 size = requests.view_pixels[i]; size.x > 0)
+      wanted[i] = request_of(requests.contents[i], requests.shown_picture, size);
+  if (requests.comparison)
+    wanted[compared_picture] = request_of(requests.comparison->with, requests.shown_picture,
+                                          requests.view_pixels[std::size_t(requests.comparison->view)]);
   return wanted;
+}
+
+void Studio::update_difference(const StudioRequests& requests) {
+  const bool is_wanted = requests.comparison && requests.comparison->takes_difference();
+  if (is_wanted)
+    difference_.update(views_, *requests.comparison);
+  else
+    difference_.clear();
 }
 
 void Studio::update_sweep(const StudioRequests& requests, bool interactive) {
@@ -310,7 +327,7 @@ void Studio::update_choice(const StudioRequests& requests) {
   glm::ivec2 size{0};
   for (std::size_t i = 0; i < view_count; ++i)
     if (const glm::ivec2 view = requests.view_pixels[i];
-        view.x > 0 && (size.x == 0 || view_modes[i] == document_.preset.rendering.mode))
+        view.x > 0 && (size.x == 0 || requests.contents[i].mode == document_.preset.rendering.mode))
       size = view;
   if (requests.choose && loaded_.volume && size.x > 0)
     choice_.start(choice_subject(size), {.target = *requests.choose});
@@ -341,7 +358,10 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
     start_loading(document_.volume_source);
     loading_for_document_ = true;
   }
+  views_.keep_colors(requests.comparison && requests.comparison->takes_difference());
   views_.work(view_requests(requests), render_ms, interactive);
+  update_difference(requests);
+  animates_ = requests.animates;
   tell_view_error();
   update_export_picture(requests);
   update_sweep(requests, interactive);

@@ -11,6 +11,7 @@
 #include "app/background_sweep.h"
 #include "app/export_picture.h"
 #include "app/recent_files.h"
+#include "app/view_difference.h"
 #include "app/view_renderer.h"
 #include "app/volume_loader.h"
 #include "ui/studio.h"
@@ -38,6 +39,7 @@ class Studio {
   /// Whether a thread reads on, although nobody waits for it: VolumeLoader::has_thread.
   bool leaves_thread() const { return loader_.has_thread(); }
   bool is_drawing() const { return views_.is_busy(); }  ///< a view is not done
+  bool animates() const { return animates_; }           ///< the window changes by itself, each blink_s
   /// Something of the measurement in the background may come up soon, has come up.
   bool is_measuring() const { return sweep_.is_active() || choice_.is_running(); }
   bool has_news() const { return sweep_.has_news(BackgroundSweep::Clock::now()) || choice_.has_news(); }
@@ -71,7 +73,9 @@ class Studio {
   SweepSubject choice_subject(glm::ivec2 size) const;
   void take_choice();
   void update_choice(const StudioRequests& requests);
-  std::array<ViewRequest, view_count> view_requests(const StudioRequests& requests) const;
+  ViewRequest request_of(const ViewContent& content, ShownPicture shown_by_all, glm::ivec2 size) const;
+  std::array<ViewRequest, picture_count> view_requests(const StudioRequests& requests) const;
+  void update_difference(const StudioRequests& requests);
 
   Document document_;
   Preset saved_;  ///< as the file has it
@@ -82,6 +86,8 @@ class Studio {
   double view_aspect_ = 1;
   StudioStatePtr ui_ = make_studio_state();
   ViewRenderer views_;
+  ViewDifference difference_;
+  bool animates_ = false;
   BackgroundSweep sweep_;
   BackgroundChoice choice_;
   std::vector<Imported> imported_;  ///< from imported_from_, while the person chooses

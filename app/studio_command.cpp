@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <thread>
 
@@ -46,13 +47,16 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
   while (!studio.wants_to_quit()) {
     // At rest the program sleeps; while a volume is read, or something is measured, it looks up now and then
     const bool works = settling > 0 || studio.is_drawing();
-    window.poll_events(!works, studio.is_loading() ? 0.05 : studio.is_measuring() ? 0.2 : 1.0);
+    const double pause = studio.is_loading() ? 0.05 : studio.is_measuring() ? 0.2 : 1.0;
+    window.poll_events(!works, studio.animates() ? std::min(pause, blink_s / 4) : pause);
     const auto begin = Clock::now();
     if (window.had_input()) {
       last_input = begin;
       settling = settling_frames;
     }
-    if (settling <= 0 && !studio.is_drawing() && !studio.is_loading() && !studio.has_news()) continue;
+    if (settling <= 0 && !studio.is_drawing() && !studio.is_loading() && !studio.has_news() &&
+        !studio.animates())
+      continue;
     const bool interactive =
         window.is_mouse_down() || begin - last_input < std::chrono::duration<double>(rest_after_s);
 

@@ -70,9 +70,9 @@ void ViewRenderer::forget_costs(View& view) {
 ViewRenderer::ViewRenderer(std::filesystem::path shader_folder, std::filesystem::path program_folder)
     : renderer_(std::move(shader_folder), std::move(program_folder)) {}
 
-void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, double budget_ms,
+void ViewRenderer::work(const std::array<ViewRequest, picture_count>& requests, double budget_ms,
                         bool interactive) {
-  for (std::size_t i = 0; i < view_count; ++i) {
+  for (std::size_t i = 0; i < picture_count; ++i) {
     View& view = views_[i];
     if (requests[i] == view.wanted) continue;
     const bool was_exact = is_exact(view.wanted.scene.rendering),
@@ -91,6 +91,10 @@ void ViewRenderer::work(const std::array<ViewRequest, view_count>& requests, dou
     const bool keep = view.pass && view.pass->coarseness > 1 && view.pass->request.size == view.wanted.size &&
                       view.pass->request.scene.volume == view.wanted.scene.volume;
     if (!keep) view.pass.reset();
+  }
+  for (View& view : views_) {
+    if (keeps_colors_ && is_done(view) && !view.full && view.error.empty()) view.shown_stage = preview;
+    if (!keeps_colors_ && view.is_counted) view.full.reset();
   }
   const auto begin = std::chrono::steady_clock::now();
   const auto spent_ms = [&] {
@@ -166,8 +170,8 @@ double ViewRenderer::queued_ms() const {
 ViewRenderer::View* ViewRenderer::next_view() {
   View* best = nullptr;
   int best_rank = 4;
-  for (std::size_t i = 1; i <= view_count; ++i) {
-    View& view = views_[(last_view_ + i) % view_count];
+  for (std::size_t i = 1; i <= picture_count; ++i) {
+    View& view = views_[(last_view_ + i) % picture_count];
     if (view.wanted.size.x <= 0 || !view.wanted.scene.volume || view.queued.size() >= most_queued) continue;
     const int rank = view.shown_version != view.wanted_version ? 0
                      : view.shown_stage == coarse              ? 1
@@ -265,7 +269,7 @@ void ViewRenderer::count_costs(View& view) {
   gl::RenderTarget target(coarse_size(view.wanted.size, count_coarseness), true);
   view.counts = sum_of(renderer_.draw_counts(view.wanted.scene, view.wanted.camera, target));
   tell_if_nothing_is_visible(view, target.read_color());
-  view.full.reset();
+  if (!keeps_colors_) view.full.reset();
   view.is_counted = true;
 }
 
@@ -276,6 +280,11 @@ void ViewRenderer::tell_if_nothing_is_visible(View& view, const Image& small) {
   if (has_visible_pixel(small, background) || !view.full) return;
   if (!has_visible_pixel(view.full->read_color(), background))
     view.nothing_visible = why_nothing_is_visible(scene, view.wanted.camera, view.wanted.size);
+}
+
+const gl::RenderTarget* ViewRenderer::colors(int index) const {
+  const View& view = views_[std::size_t(index)];
+  return keeps_colors_ && is_done(view) && view.wanted.size.x > 0 ? view.full.get() : nullptr;
 }
 
 ViewPicture ViewRenderer::picture(int index) const {
@@ -303,14 +312,14 @@ ViewPicture ViewRenderer::picture(int index) const {
   return picture;
 }
 
-std::array<std::uint64_t, view_count> ViewRenderer::wanted_versions() const {
-  std::array<std::uint64_t, view_count> versions;
+std::array<std::uint64_t, picture_count> ViewRenderer::wanted_versions() const {
+  std::array<std::uint64_t, picture_count> versions;
   std::ranges::transform(views_, versions.begin(), &View::wanted_version);
   return versions;
 }
 
-std::array<std::uint64_t, view_count> ViewRenderer::shown_versions() const {
-  std::array<std::uint64_t, view_count> versions;
+std::array<std::uint64_t, picture_count> ViewRenderer::shown_versions() const {
+  std::array<std::uint64_t, picture_count> versions;
   std::ranges::transform(views_, versions.begin(), &View::shown_version);
   return versions;
 }

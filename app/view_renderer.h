@@ -35,16 +35,23 @@ class ViewRenderer {
   /// Works for about `budget_ms`, or hands the device as much to do. A view that cannot be drawn keeps its
   /// last picture; error() says why. `interactive`: begin with coarse pictures, since more changes are to
   /// come.
-  void work(const std::array<ViewRequest, view_count>& requests, double budget_ms, bool interactive);
+  void work(const std::array<ViewRequest, picture_count>& requests, double budget_ms, bool interactive);
   /// Why a view cannot be drawn as it is now requested; empty where all can.
   std::string error() const;
   /// Whether there is anything left to draw.
   bool is_busy() const;
 
   ViewPicture picture(int view) const;
+  /// From now on pictures in full are kept in float, or no longer; those that were not are drawn again.
+  void keep_colors(bool keep) { keeps_colors_ = keep; }
+  /// The picture in full, over no background; null while it is not done, or was not kept.
+  const gl::RenderTarget* colors(int view) const;
+  glm::dvec3 background(int view) const {
+    return views_[std::size_t(view)].wanted.scene.rendering.background;
+  }
   /// Each view's requests are numbered: the one it is to show, and the one it shows at least coarsely.
-  std::array<std::uint64_t, view_count> wanted_versions() const;
-  std::array<std::uint64_t, view_count> shown_versions() const;
+  std::array<std::uint64_t, picture_count> wanted_versions() const;
+  std::array<std::uint64_t, picture_count> shown_versions() const;
 
   Renderer& renderer() { return renderer_; }
   /// Draws everything again (after the shaders changed).
@@ -86,8 +93,8 @@ class ViewRenderer {
     PictureNeed need;
     RenderCounts counts;
     bool is_counted = false;
-    std::unique_ptr<gl::RenderTarget>
-        full;  ///< the picture in full, until it is known whether it shows anything
+    /// The picture in full, until it is known whether it shows anything, or as long as colours are kept.
+    std::unique_ptr<gl::RenderTarget> full;
   };
 
   static bool is_done(const View& view);
@@ -108,8 +115,9 @@ class ViewRenderer {
 
   Renderer renderer_;
   gl::Presenter presenter_;
-  std::array<View, view_count> views_;
+  std::array<View, picture_count> views_;
   std::size_t last_view_ = 0;
+  bool keeps_colors_ = false;
 };
 
 }  // namespace crest

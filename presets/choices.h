@@ -70,6 +70,13 @@ constexpr bool renders(Engine engine, Mode mode) {
   return !shows_surfaces(mode);
 }
 
+/// The settings in another mode, with the ray caster where their own engine does not render it.
+inline Rendering in_mode(Rendering rendering, Mode mode) {
+  rendering.mode = mode;
+  if (!renders(rendering.engine, mode)) rendering.engine = Engine::raycaster;
+  return rendering;
+}
+
 /// Whether a step's colour and opacity follow from the field at both of its ends, not from a sample.
 constexpr bool is_preintegrated(ClassificationMethod method) {
   switch (method) {

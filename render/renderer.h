@@ -9,13 +9,6 @@
 
 namespace crest {
 
-/// The settings in another mode, with the ray caster where their own engine does not render it.
-inline Rendering in_mode(Rendering rendering, Mode mode) {
-  rendering.mode = mode;
-  if (!renders(rendering.engine, mode)) rendering.engine = Engine::raycaster;
-  return rendering;
-}
-
 /// Draws a scene with the engine that its settings name; both hold one copy of what they share. The exact
 /// answer is not an engine of the GPU: where it is named, the ray caster draws. A GL 4.5 context must be
 /// current throughout.

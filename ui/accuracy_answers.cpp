@@ -41,8 +41,8 @@ const char* explanation_of(Answer answer) {
   return "The integral without the spikes, and the peaks' surfaces";
 }
 
-/// Which of the four views it is of: the grid, with its place filled, at the left of the last button.
-void draw_view_mark(Mode mode, ImU32 color) {
+/// Which views show the mode: the grid, with their places filled, at the left of the last button.
+void draw_view_mark(const ViewsState& views, Mode mode, ImU32 color) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const float side = std::floor(ImGui::GetFontSize() * 0.38F), gap = scaled(1);
   const ImVec2 corner{low.x + ImGui::GetStyle().FramePadding.x,
@@ -51,7 +51,7 @@ void draw_view_mark(Mode mode, ImU32 color) {
   for (int i = 0; i < view_count; ++i) {
     const ImVec2 at{corner.x + float(i % 2) * (side + gap), corner.y + float(i / 2) * (side + gap)};
     const ImVec2 end{at.x + side, at.y + side};
-    if (view_modes[std::size_t(i)] == mode)
+    if (views.contents[std::size_t(i)].mode == mode)
       list.AddRectFilled(at, end, color);
     else
       list.AddRect(at, end, palette::faint);
@@ -90,7 +90,7 @@ std::string model_text(const ShownAccuracy& shown) {
                      whose, percent, cause);
 }
 
-void answer_rows(AccuracyState& state, WidgetState& widgets, const ShownAccuracy& shown) {
+void answer_rows(StudioState& state, const ShownAccuracy& shown) {
   field_label("against");
   const float begin = ImGui::GetCursorPosX(), right = begin + ImGui::GetContentRegionAvail().x;
   for (const ExactAnswer& answer : offered_answers(shown)) {
@@ -108,11 +108,11 @@ void answer_rows(AccuracyState& state, WidgetState& widgets, const ShownAccuracy
                           ImGui::GetStyleColorVec4(is_shown ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
     ImGui::PushStyleColor(ImGuiCol_Text, is_there || is_shown ? palette::text : palette::dim);
     ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {1, 0.5F});
-    if (ImGui::Button(name.c_str(), {width, 0})) state.answer = answer;
+    if (ImGui::Button(name.c_str(), {width, 0})) state.accuracy.answer = answer;
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
-    draw_view_mark(mode_of(answer.answer), is_there || is_shown ? palette::text : palette::dim);
-    note_item(widgets, "answer/" + name);
+    draw_view_mark(state.views, mode_of(answer.answer), is_there || is_shown ? palette::text : palette::dim);
+    note_item(state.widgets, "answer/" + name);
     tip(fmt::format("{}:\nwhat the {} view is measured against", explanation_of(answer.answer),
                     name_of(mode_of(answer.answer)))
             .c_str());
@@ -122,7 +122,7 @@ void answer_rows(AccuracyState& state, WidgetState& widgets, const ShownAccuracy
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", model_text(shown).c_str());
   ImGui::PopTextWrapPos();
-  note_item(widgets, "model: " + model_text(shown));
+  note_item(state.widgets, "model: " + model_text(shown));
 }
 
 }  // namespace crest

@@ -13,6 +13,6 @@ Mode mode_of(Answer answer);
 std::string model_text(const ShownAccuracy& shown);
 
 /// The choice of the answer against which errors are shown; each button tells which view it is of.
-void answer_rows(AccuracyState& state, WidgetState& widgets, const ShownAccuracy& shown);
+void answer_rows(StudioState& state, const ShownAccuracy& shown);
 
 }  // namespace crest

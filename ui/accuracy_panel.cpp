@@ -225,7 +225,7 @@ bool accuracy_panel(Document& document, StudioState& state, const StudioInputs& 
   const AccuracyResults& results = inputs.accuracy ? *inputs.accuracy : nothing;
   const ShownAccuracy shown = shown_accuracy(results, state.accuracy, document.preset.rendering);
   switch_row(state, inputs, results, requests);
-  answer_rows(state.accuracy, state.widgets, shown);
+  answer_rows(state, shown);
   target_row(state.accuracy.target, state.widgets);
   target_verdict(state.widgets, shown);
   const ImGuiStyle& style = ImGui::GetStyle();

@@ -10,7 +10,7 @@ namespace {
 
 /// The enlarged view's mode, since no other is drawn; or the one that was chosen.
 Mode listed_mode(const ViewsState& views, Mode preset_mode) {
-  if (views.enlarged >= 0) return view_modes[std::size_t(views.enlarged)];
+  if (views.enlarged >= 0) return views.contents[std::size_t(views.enlarged)].mode;
   return views.listed.value_or(preset_mode);
 }
 
@@ -94,8 +94,9 @@ void feature_list(StudioState& state, const StudioInputs& inputs, Mode preset_mo
   if (!open) return;
   const Mode listed = listed_mode(state.views, preset_mode);
   mode_row(state, listed);
-  const auto view = std::size_t(std::ranges::find(view_modes, listed) - view_modes.begin());
-  const PictureNeed& need = inputs.views[view].need;
+  const auto view = std::ranges::find(state.views.contents, listed, &ViewContent::mode);
+  if (view == state.views.contents.end()) return ImGui::TextDisabled("no view shows it");
+  const PictureNeed& need = inputs.views[std::size_t(view - state.views.contents.begin())].need;
   if (need == PictureNeed{}) return ImGui::TextDisabled("not drawn yet");
   draw_rows(state.widgets, feature_rows(need));
 }

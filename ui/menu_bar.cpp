@@ -8,7 +8,9 @@
 #include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
+#include "ui/comparison_view.h"
 #include "ui/keys.h"
+#include "ui/mode_text.h"
 #include "ui/questions.h"
 #include "ui/style.h"
 
@@ -165,6 +167,21 @@ void toggle_error_bound(ViewsState& views) {
   views.exact |= views.error_bound;
 }
 
+void enlarge(ViewsState& views, int index) { views.enlarged = views.enlarged == index ? -1 : index; }
+
+void show_views(ViewsState& views, int count) {
+  views.count = count;
+  views.enlarged = -1;
+}
+
+/// Esc goes back by one step.
+void leave(ViewsState& views) {
+  if (views.comparison && (views.enlarged < 0 || compares_view(views, views.enlarged)))
+    views.comparison.reset();
+  else
+    views.enlarged = -1;
+}
+
 bool view_menu(Document& document, StudioState& state, StudioRequests& requests) {
   if (!menu(state, "View")) return false;
   bool changed = false;
@@ -178,11 +195,21 @@ bool view_menu(Document& document, StudioState& state, StudioRequests& requests)
   note_item(state.widgets, "Error bound");
   tip("How far each pixel of the exact picture may be off, in colours");
   ImGui::Separator();
-  if (ImGui::MenuItem("All four views", "Esc", state.views.enlarged < 0)) state.views.enlarged = -1;
-  for (int i = 0; i < view_count; ++i)
-    if (ImGui::MenuItem(std::string(name_of(view_modes[std::size_t(i)])).c_str(), nullptr,
-                        state.views.enlarged == i))
-      state.views.enlarged = i;
+  for (int i = 0; i < view_count; ++i) {
+    const std::string text =
+        fmt::format("View {} alone: {}", i + 1, title_of(state.views.contents[std::size_t(i)].mode));
+    if (ImGui::MenuItem(text.c_str(), fmt::format("{}", i + 1).c_str(), state.views.enlarged == i))
+      enlarge(state.views, i);
+    note_item(state.widgets, fmt::format("view alone{}", i));
+  }
+  ImGui::Separator();
+  static constexpr const char* counts[] = {"One view", "Two views", "Three views", "Four views"};
+  for (int i = 1; i <= view_count; ++i) {
+    if (ImGui::MenuItem(counts[i - 1], fmt::format("Ctrl+{}", i).c_str(),
+                        state.views.enlarged < 0 && state.views.count == i))
+      show_views(state.views, i);
+    note_item(state.widgets, counts[i - 1]);
+  }
   ImGui::Separator();
   if (item(state, "Reload shaders", "F5")) requests.reload_shaders = true;
   ImGui::EndMenu();
@@ -237,6 +264,8 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
     if (key_pressed('S') && !io.KeyShift) save(document, state, requests);
     if (key_pressed('E')) state.export_dialog.asked = true;
     if (key_pressed('Q')) state.quit_asked = true;
+    for (int i = 1; i <= view_count; ++i)
+      if (key_pressed('0' + i)) show_views(state.views, i);
     // A field that is being typed in has an undo of its own, and a drag is one step that is not over.
     if (ImGui::IsAnyItemActive()) return false;
     if (key_pressed('Z') && !io.KeyShift) return undo(document, state);
@@ -244,7 +273,9 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
     return false;
   }
   if (io.WantTextInput) return false;
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) state.views.enlarged = -1;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) leave(state.views);
+  for (int i = 0; i < view_count; ++i)
+    if (key_pressed('1' + i)) enlarge(state.views, i);
   if (key_pressed('X')) toggle_exact(state.views);
   if (key_pressed('B')) toggle_error_bound(state.views);
   return key_pressed('R') && !ImGui::IsAnyMouseDown() && reset_view(document, state);

@@ -4,6 +4,21 @@
 
 namespace crest {
 
+/// A mode's name for people; `name_of` is the one in files.
+constexpr const char* title_of(Mode mode) {
+  switch (mode) {
+    case Mode::dvr_only:
+      return "Volume";
+    case Mode::peak_only:
+      return "Surfaces";
+    case Mode::peak_xor_dvr:
+      return "Surfaces + volume";
+    case Mode::both:
+      break;
+  }
+  return "Surfaces + whole volume";
+}
+
 /// What a mode shows, in one line.
 constexpr const char* explanation_of(Mode mode) {
   switch (mode) {

@@ -26,6 +26,8 @@ constexpr HelpLine help_lines[] = {
     {"middle or right drag", "move; also: Shift+left drag"},
     {"wheel", "nearer, further"},
     {"double-click", "enlarge a view, and back (Esc)"},
+    {"1 .. 4", "enlarge this view, and back"},
+    {"Ctrl+1 .. 4", "so many views"},
     {"X", "the exact picture at rest, or as the settings have it"},
     {"B", "how far each pixel of the exact picture may be off"},
     {"R", "reset: the whole volume in view"},

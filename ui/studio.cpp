@@ -1,5 +1,7 @@
 #include "ui/studio.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -137,6 +139,16 @@ bool is_editing(const StudioState& state) {
   return state.camera_moved >= 0 && ImGui::GetTime() - state.camera_moved < wheel_pause;
 }
 
+/// Esc closes the menu that was opened last; windows that ask something deal with it themselves.
+void close_menu_by_key() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.OpenPopupStack.empty() || ImGui::IsAnyItemActive()) return;
+  if (!ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
+  const ImGuiWindow* window = context.OpenPopupStack.back().Window;
+  if (window && !(window->Flags & ImGuiWindowFlags_Modal))
+    ImGui::ClosePopupToLevel(context.OpenPopupStack.Size - 1, true);
+}
+
 }  // namespace
 
 void StudioStateDeleter::operator()(StudioState* state) const { delete state; }
@@ -154,6 +166,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   }
   requests.document_changed |= shortcuts(document, state, inputs, requests);
   requests.document_changed |= menu_bar(document, state, inputs, requests);
+  close_menu_by_key();
   requests.document_changed |= studio_window(document, state, inputs, requests);
   quit_question(document, state, inputs, requests);
   export_dialog(document, state, inputs, requests);

@@ -16,14 +16,14 @@
 #include "render/volume/volume.h"
 #include "ui/accuracy_results.h"
 #include "ui/choice_results.h"
+#include "ui/comparison.h"
 #include "ui/document.h"
+#include "ui/view_content.h"
 
 namespace crest {
 
-inline constexpr int view_count = 4;
-/// The modes of the 2x2 grid, left to right, top to bottom.
-inline constexpr std::array<Mode, view_count> view_modes{Mode::dvr_only, Mode::peak_only, Mode::peak_xor_dvr,
-                                                         Mode::both};
+/// The views' pictures, and behind them the one that a view is compared with.
+inline constexpr int picture_count = view_count + 1, compared_picture = view_count;
 
 /// A view's picture, as the program last drew it.
 struct ViewPicture {
@@ -58,7 +58,8 @@ struct StudioInputs {
   TransferFunction resolved;       ///< the document's TF in the volume's units
   std::span<const Peak> peaks;     ///< of `resolved`
   std::span<const Peak> surfaces;  ///< those that are shown as surfaces
-  std::array<ViewPicture, view_count> views;
+  std::array<ViewPicture, picture_count> views;
+  DifferencePicture difference;  ///< of the two pictures that are compared, where that was asked for
   const AccuracyResults* accuracy = nullptr;  ///< null while nothing was ever measured
   const ChoiceResults* choice = nullptr;      ///< null while nothing was ever chosen
   std::string loading;                        ///< the volume that is being read; empty while none is
@@ -74,10 +75,6 @@ struct StudioInputs {
   bool unsaved_changes = false;  ///< of the preset, the camera aside: worth a question before quitting
   bool close_requested = false;  ///< the window's close button was pressed since the last frame
 };
-
-/// What the views show when nobody does anything: the picture as the settings have it; or the exact one,
-/// where there is one for the settings, or how far each of its pixels may be off, at most.
-enum class ShownPicture { as_set, exact, error_bound };
 
 /// What the person asked for in this frame, other than changes of the document.
 struct StudioRequests {
@@ -102,7 +99,11 @@ struct StudioRequests {
   std::optional<std::filesystem::path> save_preset;
   std::array<glm::ivec2, view_count>
       view_pixels{};  ///< size to draw each view at; (0, 0) = it is not visible
-  ShownPicture shown_picture = ShownPicture::exact;
+  ShownPicture shown_picture = ShownPicture::exact;  ///< of views that have no choice of their own
+  std::array<ViewContent, view_count> contents;      ///< of the views
+  std::optional<Comparison> comparison;              ///< of a view that is visible
+  std::string problem;                ///< with what the person asked for, which the panels found themselves
+  bool animates = false;              ///< something in the window changes by itself, at blink_s
   bool document_changed = false;      ///< by this frame: an edit, undo or redo
   std::optional<bool> measure;        ///< switches the measurement in the background on or off
   std::optional<TargetError> choose;  ///< a setting that keeps this error

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <array>
+#include <glm/vec2.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "render/measure/image_error.h"
 #include "render/measure/methods.h"
@@ -15,12 +19,24 @@
 namespace crest {
 
 struct ViewsState {
-  int enlarged = -1;  ///< the view that fills the grid; -1 = all four
+  int enlarged = -1;       ///< the view that fills the grid; -1 = `count` of them
+  int count = view_count;  ///< of the views in the grid
+  std::array<ViewContent, view_count> contents = contents_of_modes();
+  std::vector<std::shared_ptr<const OtherPreset>> snapshots;  ///< the newest at the back
+  int snapshots_taken = 0;
+  std::optional<Comparison> comparison;
+  std::optional<glm::vec2>
+      cursor;                  ///< the mouse in any view: from its middle and top, in shares of its height
+  bool moves_divider = false;  ///< the mouse does
+  std::string error;           ///< why a preset could not be shown beside the document's
   bool outline = true;
   bool exact = true;           ///< at rest, views go on to the exact picture
   bool error_bound = false;    ///< or to how far it may be off
   std::optional<Mode> listed;  ///< whose features are listed; without one, those of the preset's mode
 };
+
+/// What the views show that have no choice of their own.
+ShownPicture shown_by_all(const ViewsState& views);
 
 struct AccuracyState {
   std::optional<ExactAnswer>

@@ -6,16 +6,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "presets/choices.h"
-#include "presets/names.h"
 #include "render/scene/camera.h"
 #include "render/scene/error_colors.h"
-#include "render/scene/exact.h"
 #include "ui/camera_control.h"
-#include "ui/mode_text.h"
+#include "ui/comparison_view.h"
 #include "ui/style.h"
+#include "ui/view_caption.h"
 #include "ui/view_overlay.h"
-#include "ui/warning_sign.h"
 
 namespace crest {
 namespace {
@@ -23,87 +20,6 @@ namespace {
 constexpr double turn_per_pixel = 0.008;  // radians
 constexpr double dolly_per_notch = 0.88;
 constexpr float least_view = 24;  // pixels
-
-std::string cost_text(const ViewPicture& view) {
-  if (view.frame_ms <= 0) return "";
-  std::string text =
-      view.frame_ms < 100 ? fmt::format("{:.1f} ms", view.frame_ms) : fmt::format("{:.0f} ms", view.frame_ms);
-  if (view.is_exact && view.samples_per_ray > 0)
-    text += fmt::format("   {:.1f} cells/ray", view.samples_per_ray);
-  else if (view.samples_per_ray > 0)
-    text += fmt::format("   {:.1f} samples/ray, {:.1f} DVR", view.samples_per_ray, view.dvr_samples_per_ray);
-  return text;
-}
-
-Rendering with_mode(Rendering rendering, Mode mode) {
-  rendering.mode = mode;
-  return rendering;
-}
-
-void right_aligned(const char* text, float right) {
-  const float width = ImGui::CalcTextSize(text).x;
-  ImGui::SameLine(std::max(0.0F, right - width));
-  ImGui::TextDisabled("%s", text);
-}
-
-/// Of an exact picture: how sure that is, and what it is of.
-std::string exact_text(const ViewPicture& view, Mode mode, bool is_lit) {
-  std::string sure;
-  if (view.progress < 1)
-    sure = "becoming exact";
-  else if (!view.share_within)
-    sure = "exact";
-  else
-    sure = fmt::format("exact, {:.4g} % surely within 1/255{}", std::floor(1e4 * *view.share_within) / 100,
-                       is_lit ? " but for light" : "");
-  return fmt::format("{}: {}", sure, exact_explanation_of(mode));
-}
-
-/// What the view shows, in one line, and more of it under the mouse.
-void explanation(const Rendering& rendering, const ViewsState& views, const ViewPicture& view, Mode mode) {
-  const bool is_lit = takes_gradient(rendering.shading);
-  const std::string text = view.is_exact ? exact_text(view, mode, is_lit) : explanation_of(mode);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopStyleColor();
-  std::string more = text;
-  if (view.is_exact)
-    more +=
-        "\nBy bounds on all errors along a ray, of a 64th of the pixels; light is not in them."
-        "\nX shows the picture as the settings have it, B how far each pixel may be off.";
-  else if (const std::string why_not = why_not_exact(with_mode(rendering, mode)); !why_not.empty())
-    more += "\nNot exact: " + why_not;
-  else if (!views.exact)
-    more += "\nAs the settings have it; X shows the exact picture.";
-  tip(more.c_str());
-}
-
-/// The name, whether it may be off, what it costs, and what it shows.
-void caption(int index, StudioState& state, const ViewPicture& view, const Rendering& rendering) {
-  const Engine engine = rendering.engine;
-  const Mode mode = view_modes[std::size_t(index)];
-  std::string name(name_of(mode));
-  if (engine == Engine::vdls && mode == Mode::dvr_only && !view.is_exact) name += ": vdls";
-  const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX();
-  const bool enlarged = state.views.enlarged == index;
-  ImGui::TextUnformatted(name.c_str());
-  float named = ImGui::CalcTextSize(name.c_str()).x;
-  if (!view.warnings.empty()) {
-    ImGui::SameLine(0, scaled(8));
-    warning_sign(state.widgets, fmt::format("warning{}", index), view.warnings);
-    named += scaled(8) + ImGui::GetItemRectSize().x;
-  }
-  const char* action = enlarged ? "restore" : "enlarge";
-  const float button = ImGui::CalcTextSize(action).x + 2 * ImGui::GetStyle().FramePadding.x;
-  const std::string cost = cost_text(view);
-  const float cost_room = width - button - scaled(8) - named - scaled(12);
-  if (!cost.empty() && ImGui::CalcTextSize(cost.c_str()).x < cost_room)
-    right_aligned(cost.c_str(), start + width - button - scaled(8));
-  ImGui::SameLine(start + width - button);
-  if (ImGui::SmallButton(action)) state.views.enlarged = enlarged ? -1 : index;
-  note_item(state.widgets, fmt::format("enlarge{}", index));
-  explanation(rendering, state.views, view, mode);
-}
 
 /// What the colours of an error bound mean.
 void error_legend(ImDrawList& list, ImVec2 at) {
@@ -140,11 +56,13 @@ bool move_camera(Document& document, StudioState& state, const Grid& grid, const
   return true;
 }
 
-void picture(const StudioState& state, const StudioInputs& inputs, const ViewPicture& view,
-             const Camera& camera, ImVec2 low, ImVec2 size) {
+void picture(int index, StudioState& state, const StudioInputs& inputs, const Camera& camera, ImVec2 low,
+             ImVec2 size) {
+  const ViewPicture& view = inputs.views[std::size_t(index)];
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 high{low.x + size.x, low.y + size.y};
-  if (view.texture != 0)
+  if (compares_view(state.views, index) && draw_comparison(state, inputs, low, size)) {
+  } else if (view.texture != 0)
     list.AddImage(reinterpret_cast<ImTextureID>(view.texture), low, high);
   else
     list.AddRectFilled(low, high, palette::plot);
@@ -168,13 +86,32 @@ void picture(const StudioState& state, const StudioInputs& inputs, const ViewPic
   list.PopClipRect();
 }
 
+/// Where the mouse is in a picture: from its middle and its top, as shares of its height. In pictures of any
+/// width that is the same ray.
+glm::vec2 cursor_at(ImVec2 mouse, ImVec2 low, ImVec2 size) {
+  return {(mouse.x - low.x - size.x / 2) / size.y, (mouse.y - low.y) / size.y};
+}
+
+/// The mouse in another view.
+void cursor_mark(ImDrawList& list, glm::vec2 cursor, ImVec2 low, ImVec2 size) {
+  const ImVec2 at{low.x + size.x / 2 + cursor.x * size.y, low.y + cursor.y * size.y};
+  const float inner = scaled(4), outer = scaled(11);
+  list.PushClipRect(low, {low.x + size.x, low.y + size.y}, true);
+  for (const auto& [color, width] : {std::pair{IM_COL32(0, 0, 0, 160), 3.0F}, {palette::text, 1.0F}})
+    for (const float way : {-1.0F, 1.0F}) {
+      list.AddLine({at.x + way * inner, at.y}, {at.x + way * outer, at.y}, color, width);
+      list.AddLine({at.x, at.y + way * inner}, {at.x, at.y + way * outer}, color, width);
+    }
+  list.PopClipRect();
+}
+
 bool view(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests,
-          int index, ImVec2 corner, ImVec2 size) {
+          int index, ImVec2 corner, ImVec2 size, std::optional<glm::vec2>& cursor) {
   const std::size_t i = std::size_t(index);
   ImGui::PushID(index);
   ImGui::SetCursorScreenPos(corner);
   ImGui::BeginChild("view", size, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  caption(index, state, inputs.views[i], document.preset.rendering);
+  view_caption(index, state, inputs, document.preset);
   bool changed = false;
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const ImVec2 image{std::floor(room.x), std::floor(room.y)};
@@ -190,33 +127,72 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
     if (inputs.volume) camera = camera_of(document.preset, inputs.volume->grid, double(image.x / image.y));
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
       state.views.enlarged = state.views.enlarged == index ? -1 : index;
+    else if (compares_view(state.views, index) &&
+             move_divider(state.views, ImGui::IsItemHovered(), ImGui::IsItemActive(), low, image))
+      changed = false;
     else if (inputs.volume)
       changed = move_camera(document, state, inputs.volume->grid, camera, image.y);
-    picture(state, inputs, inputs.views[i], document.preset.camera.value_or(camera), low, image);
+    picture(index, state, inputs, document.preset.camera.value_or(camera), low, image);
+    if (ImGui::IsItemHovered()) {
+      cursor = cursor_at(ImGui::GetIO().MousePos, low, image);
+    } else if (state.views.cursor) {
+      cursor_mark(*ImGui::GetWindowDrawList(), *state.views.cursor, low, image);
+    }
   }
   ImGui::EndChild();
   ImGui::PopID();
   return changed;
 }
 
+/// Where the n views of the grid are: beside each other, two in a row, the last of an odd number as wide as
+/// its row.
+std::vector<std::pair<ImVec2, ImVec2>> grid_places(int count, ImVec2 corner, ImVec2 room) {
+  const float gap = scaled(8);
+  const int columns = count == 1 ? 1 : 2, rows = (count + 1) / 2;
+  const ImVec2 size{std::floor((room.x - gap * float(columns - 1)) / float(columns)),
+                    std::floor((room.y - gap * float(rows - 1)) / float(rows))};
+  std::vector<std::pair<ImVec2, ImVec2>> places;
+  for (int i = 0; i < count; ++i) {
+    const bool fills_row = i == count - 1 && i % columns == 0;
+    places.push_back(
+        {{corner.x + float(i % columns) * (size.x + gap), corner.y + float(i / columns) * (size.y + gap)},
+         {fills_row ? room.x : size.x, size.y}});
+  }
+  return places;
+}
+
 }  // namespace
+
+ShownPicture shown_by_all(const ViewsState& views) {
+  return !views.exact        ? ShownPicture::as_set
+         : views.error_bound ? ShownPicture::error_bound
+                             : ShownPicture::exact;
+}
 
 bool views_panel(Document& document, StudioState& state, const StudioInputs& inputs,
                  StudioRequests& requests) {
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  requests.shown_picture = !state.views.exact        ? ShownPicture::as_set
-                           : state.views.error_bound ? ShownPicture::error_bound
-                                                     : ShownPicture::exact;
-  const int enlarged = state.views.enlarged;
-  if (enlarged >= 0) return view(document, state, inputs, requests, enlarged, corner, room);
-  const float gap = scaled(8);
-  const ImVec2 size{std::floor((room.x - gap) / 2), std::floor((room.y - gap) / 2)};
-  if (size.x < 8 || size.y < 8) return false;
+  ViewsState& views = state.views;
+  std::optional<glm::vec2> cursor;
   bool changed = false;
-  for (int i = 0; i < view_count; ++i)
-    changed |=
-        view(document, state, inputs, requests, i,
-             {corner.x + float(i % 2) * (size.x + gap), corner.y + float(i / 2) * (size.y + gap)}, size);
+  if (views.enlarged >= 0) {
+    changed = view(document, state, inputs, requests, views.enlarged, corner, room, cursor);
+  } else {
+    const auto places = grid_places(views.count, corner, room);
+    for (int i = 0; i < views.count; ++i) {
+      const auto& [place, size] = places[std::size_t(i)];
+      if (size.x < 8 || size.y < 8) continue;
+      changed |= view(document, state, inputs, requests, i, place, size, cursor);
+    }
+  }
+  views.cursor = cursor;
+  requests.shown_picture = shown_by_all(views);
+  requests.contents = views.contents;
+  requests.problem = std::exchange(views.error, "");
+  if (views.comparison && requests.view_pixels[std::size_t(views.comparison->view)].x > 0) {
+    requests.comparison = views.comparison;
+    requests.animates = views.comparison->kind == ComparisonKind::blink;
+  }
   return changed;
 }
 

@@ -51,6 +51,21 @@ void Presenter::present_error_bounds(const RenderTarget& from, DisplayTexture& t
   draw(program, to, first_row, last_row);
 }
 
+void Presenter::present_difference(Side a, Side b, DisplayTexture& to, double amplification, bool with_sign) {
+  if (!difference_program_) difference_program_ = build_fullscreen_program("present_difference.frag", {});
+  const GLuint program = difference_program_->id();
+  const auto place = [&](const char* name) { return glGetUniformLocation(program, name); };
+  glBindTextureUnit(0, a.picture.color_texture());
+  glBindTextureUnit(1, b.picture.color_texture());
+  glProgramUniform1i(program, place("picture_a"), 0);
+  glProgramUniform1i(program, place("picture_b"), 1);
+  glProgramUniform3fv(program, place("background_a"), 1, &a.background.x);
+  glProgramUniform3fv(program, place("background_b"), 1, &b.background.x);
+  glProgramUniform1f(program, place("amplification"), float(amplification));
+  glProgramUniform1i(program, place("with_sign"), with_sign);
+  draw(program, to, 0, to.size().y);
+}
+
 void Presenter::draw(GLuint program, DisplayTexture& to, int first_row, int last_row) {
   glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer());
   glViewport(0, 0, to.size().x, to.size().y);

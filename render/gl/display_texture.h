@@ -35,12 +35,19 @@ class Presenter {
   /// The same of how far each pixel may be off (PixelCounts::error_bound): `from` has counts, and the size of
   /// `to`.
   void present_error_bounds(const RenderTarget& from, DisplayTexture& to, int first_row, int last_row);
+  /// How much `b` differs from `a`, each over its background: of each channel amplified, from black on; or
+  /// with its sign, about grey. All have one size.
+  struct Side {
+    const RenderTarget& picture;
+    glm::vec3 background;
+  };
+  void present_difference(Side a, Side b, DisplayTexture& to, double amplification, bool with_sign);
 
  private:
   void draw(GLuint program, DisplayTexture& to, int first_row, int last_row);
 
   ProgramHandle program_;
-  std::optional<ProgramHandle> error_program_;  ///< once it was needed
+  std::optional<ProgramHandle> error_program_, difference_program_;  ///< once they were needed
   VertexArrayHandle vertex_array_;
 };
 

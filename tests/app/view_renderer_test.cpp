@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "app/view_difference.h"
 #include "presets/preset_file.h"
 #include "render/scene/camera.h"
 #include "render/scene/error_colors.h"
@@ -39,8 +40,8 @@ class Views : public ::testing::Test {
   }
   void expect_all_done() {
     EXPECT_EQ(views.error(), "");
-    EXPECT_EQ(views.shown_versions(), views.wanted_versions());
     for (int i = 0; i < view_count; ++i) {
+      EXPECT_EQ(views.shown_versions()[std::size_t(i)], views.wanted_versions()[std::size_t(i)]);
       const ViewPicture picture = views.picture(i);
       EXPECT_EQ(picture.coarseness, 1);
       EXPECT_EQ(picture.progress, 1);
@@ -52,7 +53,7 @@ class Views : public ::testing::Test {
   testing::DebugContext context;
   ViewRenderer views;
   bool saw_preview = false;  ///< of the first view: sharp, and nothing of it exact yet
-  std::array<ViewRequest, view_count> requests;
+  std::array<ViewRequest, picture_count> requests;
 };
 
 TEST_F(Views, AreFinishedHoweverSmallTheBudget) {
@@ -61,6 +62,47 @@ TEST_F(Views, AreFinishedHoweverSmallTheBudget) {
   for (ViewRequest& request : requests) request.camera.fov_y_degrees += 1;
   EXPECT_GT(finish(1e9, false), 0);
   expect_all_done();
+}
+
+TEST_F(Views, TheDifferenceOfTwoPicturesIsDrawnAndMeasured) {
+  requests[compared_picture] = requests[2];
+  requests[compared_picture].scene.rendering.background =
+      requests[2].scene.rendering.background = {0.2, 0, 0};
+  finish(1e9, false);
+  EXPECT_EQ(views.colors(0), nullptr) << "nobody asked to keep it";
+  views.keep_colors(true);
+  finish(1e9, false);
+  ASSERT_TRUE(views.colors(0));
+  ASSERT_TRUE(views.colors(compared_picture));
+
+  ViewDifference difference;
+  Comparison comparison{.view = 2, .with = {}, .kind = ComparisonKind::difference, .amplification = 4};
+  difference.update(views, comparison);
+  EXPECT_NE(difference.picture().texture, 0u);
+  EXPECT_EQ(difference.picture().max, 0) << "the same picture";
+
+  comparison.view = 0;
+  difference.update(views, comparison);
+  const Image a = views.colors(0)->read_color(), b = views.colors(compared_picture)->read_color();
+  std::vector<std::uint8_t> drawn(a.pixels.size() * 4);
+  glGetTextureImage(GLuint(difference.picture().texture), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(drawn.size()),
+                    drawn.data());
+  float most = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    for (int channel = 0; channel < 3; ++channel) {
+      const float ground = channel == 0 ? 0.2F : 0;
+      const float off = std::abs(b.pixels[i][channel] + (1 - b.pixels[i].a) * ground - a.pixels[i][channel]);
+      most = std::max(most, off);
+      EXPECT_NEAR(drawn[4 * i + std::size_t(channel)], 255 * std::min(4 * off, 1.0F), 0.51) << i;
+    }
+  EXPECT_GT(most, 0.1);
+  EXPECT_NEAR(difference.picture().max, most, 1e-6);
+  EXPECT_GT(difference.picture().share, 0.5) << "the background differs";
+
+  views.keep_colors(false);
+  finish(1e9, false);
+  difference.update(views, comparison);
+  EXPECT_EQ(difference.picture().texture, 0u);
 }
 
 // A table for one step length is made once an edit: a coarse picture, which would step further, takes the

@@ -1,0 +1,204 @@
+#include "ui/view_caption.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "presets/choices.h"
+#include "presets/names.h"
+#include "presets/preset_file.h"
+#include "render/scene/exact.h"
+#include "ui/comparison_view.h"
+#include "ui/mode_text.h"
+#include "ui/style.h"
+#include "ui/warning_sign.h"
+
+namespace crest {
+namespace {
+
+std::string cost_text(const ViewPicture& view) {
+  if (view.frame_ms <= 0) return "";
+  std::string text =
+      view.frame_ms < 100 ? fmt::format("{:.1f} ms", view.frame_ms) : fmt::format("{:.0f} ms", view.frame_ms);
+  if (view.is_exact && view.samples_per_ray > 0)
+    text += fmt::format("   {:.1f} cells/ray", view.samples_per_ray);
+  else if (view.samples_per_ray > 0)
+    text += fmt::format("   {:.1f} samples/ray, {:.1f} DVR", view.samples_per_ray, view.dvr_samples_per_ray);
+  return text;
+}
+
+/// Of an exact picture: how sure that is, and what it is of.
+std::string exact_text(const ViewPicture& view, Mode mode, bool is_lit) {
+  std::string sure;
+  if (view.progress < 1)
+    sure = "becoming exact";
+  else if (!view.share_within)
+    sure = "exact";
+  else
+    sure = fmt::format("exact, {:.4g} % surely within 1/255{}", std::floor(1e4 * *view.share_within) / 100,
+                       is_lit ? " but for light" : "");
+  return fmt::format("{}: {}", sure, exact_explanation_of(mode));
+}
+
+/// What the view shows, in one line, and more of it under the mouse.
+void explanation(const Rendering& rendering, ShownPicture wanted, const ViewPicture& view) {
+  const bool is_lit = takes_gradient(rendering.shading);
+  const std::string text =
+      view.is_exact ? exact_text(view, rendering.mode, is_lit) : explanation_of(rendering.mode);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  std::string more = text;
+  if (view.is_exact)
+    more +=
+        "\nBy bounds on all errors along a ray, of a 64th of the pixels; light is not in them."
+        "\nX shows the picture as the settings have it, B how far each pixel may be off.";
+  else if (const std::string why_not = why_not_exact(rendering); !why_not.empty())
+    more += "\nNot exact: " + why_not;
+  else if (wanted == ShownPicture::as_set)
+    more += "\nAs the settings have it; X shows the exact picture.";
+  tip(more.c_str());
+}
+
+template <class Value>
+void option(WidgetState& widgets, const char* text, std::optional<Value>& now, std::optional<Value> value) {
+  if (ImGui::MenuItem(text, nullptr, now == value)) now = value;
+  note_item(widgets, text);
+}
+
+bool submenu(WidgetState& widgets, const char* text) {
+  const bool open = ImGui::BeginMenu(text);
+  note_item(widgets, text);
+  return open;
+}
+
+/// What the view shows: its mode, and where it differs from the others.
+void content_menu(int index, StudioState& state, const StudioInputs& inputs, const Preset& preset) {
+  WidgetState& widgets = state.widgets;
+  ViewContent& content = state.views.contents[std::size_t(index)];
+  for (const Mode mode : view_modes) {
+    if (ImGui::MenuItem(title_of(mode), std::string(name_of(mode)).c_str(), content.mode == mode))
+      content.mode = mode;
+    note_item(widgets, fmt::format("show/{}", name_of(mode)));
+    tip(explanation_of(mode));
+  }
+  ImGui::Separator();
+  if (submenu(widgets, "Engine")) {
+    option<Engine>(widgets, "As the preset has it", content.engine, {});
+    option<Engine>(widgets, "Ray caster", content.engine, Engine::raycaster);
+    option<Engine>(widgets, "View-dependent layers (VDLS)", content.engine, Engine::vdls);
+    ImGui::EndMenu();
+  }
+  if (submenu(widgets, "Picture")) {
+    option<ShownPicture>(widgets, "As all views", content.picture, {});
+    option<ShownPicture>(widgets, "As set", content.picture, ShownPicture::as_set);
+    option<ShownPicture>(widgets, "Exact", content.picture, ShownPicture::exact);
+    option<ShownPicture>(widgets, "How far it may be off", content.picture, ShownPicture::error_bound);
+    ImGui::EndMenu();
+  }
+  if (submenu(widgets, "Preset")) {
+    other_preset_menu(state, inputs, preset, content);
+    ImGui::EndMenu();
+  }
+}
+
+/// Room for a triangle behind a button's text.
+std::string with_arrow(const std::string& text) { return text + "    "; }
+
+/// A button that opens the popup of its name, with a triangle that says so.
+void popup_button(WidgetState& widgets, const std::string& text, const std::string& name) {
+  if (ImGui::SmallButton(fmt::format("{}##{}", with_arrow(text), name).c_str()))
+    ImGui::OpenPopup(name.c_str());
+  note_item(widgets, name);
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float side = scaled(4), middle = (low.y + high.y) / 2, right = high.x - scaled(7);
+  ImGui::GetWindowDrawList()->AddTriangleFilled({right - 2 * side, middle - side / 2},
+                                                {right, middle - side / 2}, {right - side, middle + side / 2},
+                                                palette::dim);
+}
+
+}  // namespace
+
+bool other_preset_menu(StudioState& state, const StudioInputs& inputs, const Preset& preset,
+                       ViewContent& content) {
+  const auto before = content.other;
+  const auto choose = [&](const std::string& name, auto&& load) {
+    const bool chosen = ImGui::MenuItem(name.c_str(), nullptr, content.other && content.other->name == name);
+    note_item(state.widgets, "other/" + name);
+    if (!chosen) return;
+    try {
+      content.other = std::make_shared<const OtherPreset>(OtherPreset{name, load()});
+    } catch (const std::exception& error) {
+      state.views.error = error.what();
+    }
+  };
+  if (ImGui::MenuItem("The one that is edited", nullptr, !content.other)) content.other = nullptr;
+  note_item(state.widgets, "other/none");
+  ImGui::Separator();
+  for (const auto& snapshot : state.views.snapshots)
+    if (ImGui::MenuItem(snapshot->name.c_str(), nullptr, content.other == snapshot)) content.other = snapshot;
+  if (ImGui::MenuItem("Take a snapshot of it")) content.other = take_snapshot(state.views, preset);
+  note_item(state.widgets, "take snapshot");
+  ImGui::Separator();
+  for (const LibraryPreset& one : library())
+    choose(std::string(one.name), [&] { return load_preset(std::string(one.name)); });
+  bool any = false;
+  for (const std::string& file : inputs.recent) {
+    if (!file.ends_with(".json")) continue;
+    if (!std::exchange(any, true)) ImGui::Separator();
+    choose(file, [&] { return load_preset(file); });
+  }
+  return content.other != before;
+}
+
+void view_caption(int index, StudioState& state, const StudioInputs& inputs, const Preset& preset) {
+  const ViewPicture& view = inputs.views[std::size_t(index)];
+  const ViewContent& content = state.views.contents[std::size_t(index)];
+  const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX(), gap = scaled(8);
+  const float padding = 2 * ImGui::GetStyle().FramePadding.x;
+  const bool enlarged = state.views.enlarged == index, compares = compares_view(state.views, index);
+  const std::string name = fmt::format("content{}", index), compare = fmt::format("compare{}", index);
+
+  popup_button(state.widgets, text_of(content), name);
+  float left = ImGui::GetItemRectSize().x;
+  tip(fmt::format("{}: {}\nClick to choose what this view shows", name_of(content.mode),
+                  explanation_of(content.mode))
+          .c_str());
+  if (ImGui::BeginPopup(name.c_str())) {
+    content_menu(index, state, inputs, preset);
+    ImGui::EndPopup();
+  }
+  if (!view.warnings.empty()) {
+    ImGui::SameLine(0, gap);
+    warning_sign(state.widgets, fmt::format("warning{}", index), view.warnings);
+    left += gap + ImGui::GetItemRectSize().x;
+  }
+
+  const std::string compare_text = compares ? "comparing" : "compare";
+  const char* action = enlarged ? "restore" : "enlarge";
+  const float actions = ImGui::CalcTextSize(with_arrow(compare_text).c_str()).x +
+                        ImGui::CalcTextSize(action).x + 2 * padding + scaled(4);
+  const std::string cost = cost_text(view);
+  const float cost_width = ImGui::CalcTextSize(cost.c_str()).x;
+  if (!cost.empty() && left + gap + cost_width + gap + actions < width) {
+    ImGui::SameLine(start + width - actions - gap - cost_width);
+    ImGui::TextDisabled("%s", cost.c_str());
+  }
+  ImGui::SameLine(start + std::max(width - actions, left + gap));
+  popup_button(state.widgets, compare_text, compare);
+  tip("With another view, another preset, a snapshot or the exact picture:\nbehind a line to drag, as a "
+      "difference, or one after the other");
+  if (ImGui::BeginPopup(compare.c_str())) {
+    comparison_menu(index, state, inputs, preset);
+    ImGui::EndPopup();
+  }
+  ImGui::SameLine(0, scaled(4));
+  if (ImGui::SmallButton(action)) state.views.enlarged = enlarged ? -1 : index;
+  note_item(state.widgets, fmt::format("enlarge{}", index));
+  explanation(preset_of(content, preset).rendering, content.picture.value_or(shown_by_all(state.views)),
+              view);
+}
+
+}  // namespace crest

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "ui/studio_state.h"
+
+namespace crest {
+
+/// Above a view: what it shows, as a button that opens its menu; whether that may be off, what it costs, the
+/// menu of comparisons, and a line that explains it. `index` is the view's.
+void view_caption(int index, StudioState& state, const StudioInputs& inputs, const Preset& preset);
+
+/// Chooses a preset beside the document's: snapshots, the library, files opened last. True when `content` was
+/// given one, or none again. To be called in a menu.
+bool other_preset_menu(StudioState& state, const StudioInputs& inputs, const Preset& preset,
+                       ViewContent& content);
+
+}  // namespace crest
