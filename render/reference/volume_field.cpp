@@ -1,5 +1,8 @@
 #include "render/reference/volume_field.h"
 
+#include <limits>
+#include <utility>
+
 #include "render/reference/cubic_cell.h"
 #include "render/reference/trilinear_cell.h"
 
@@ -118,7 +121,82 @@ void solve_two_fields(RaySolver<Real>& solver, RaySolver<Real>& roots, std::vect
   if (roots.collected().grazing) solver.note_grazing();
 }
 
+/// What a trace of one ray carries from cell to cell.
+struct Trace {
+  RaySolver<double>&solver, &roots;
+  std::vector<MetSurface<double>>& met;
+  int parts_a_cell;
+  const std::function<void(const TracedPlace&)>& visit;
+  double length = 0;  ///< before the cell
+};
+
+template <class Cell>
+void trace_cell(Trace& trace, const Cell& cell, const CellVisit<double>& at) {
+  const auto piece = cell.along(at);
+  double from = 0;
+  const auto place = [&](double where, const CrossedSurface<double>* crossed) {
+    trace.visit({trace.length + where * at.length, piece.offset + piece.f(where), crossed});
+  };
+  const auto integrate_to = [&](double to) {
+    if (!(to > from)) return;
+    if (!solve_plain_cell(trace.solver, cell.bounds(), (to - from) * at.length))
+      trace.solver.add(part_of(piece, from, to));
+    from = to;
+    place(to, nullptr);
+  };
+  auto next = trace.met.begin();
+  for (int part = 1; part <= trace.parts_a_cell; ++part) {
+    const double to = part == trace.parts_a_cell ? 1 : double(part) / trace.parts_a_cell;
+    for (; next != trace.met.end() && next->place <= to; ++next) {
+      integrate_to(next->place);
+      trace.solver.composite_surface(*next->surface);
+      place(next->place, next->surface);
+    }
+    integrate_to(to);
+  }
+  trace.length += at.length;
+}
+
 }  // namespace
+
+void trace_volume(RaySolver<double>& solver, const VolumeFields& fields, const FieldLevels<double>& levels,
+                  double tolerance, const PixelRay<double>& ray, int parts_a_cell,
+                  const std::function<void(const TracedPlace&)>& visit) {
+  if (!ray.inside) return;
+  std::vector<MetSurface<double>> met;
+  RaySolver<double> roots(levels.surfaces, tolerance);
+  roots.tell_surfaces(met);
+  Trace trace{solver, roots, met, parts_a_cell, visit};
+  with_cells(fields.volume, fields.dvr, ray, [&](const auto& make_cell) {
+    with_cells(fields.volume, fields.root, ray, [&](const auto& make_root_cell) {
+      solver.begin_span();
+      roots.begin_span();
+      bool begins = true;
+      visit_cells(fields, ray, [&](const CellVisit<double>& at, bool is_empty) {
+        if (is_empty) {
+          restart(solver);
+          restart(roots);
+          visit({trace.length, std::numeric_limits<double>::quiet_NaN(), nullptr});
+          trace.length += at.length;
+          begins = true;
+          return true;
+        }
+        met.clear();
+        const auto root_cell = make_root_cell(at.cell);
+        if (!solve_plain_cell(roots, root_cell.bounds(), at.length)) roots.add(root_cell.along(at));
+        const auto cell = make_cell(at.cell);
+        if (std::exchange(begins, false)) {
+          const auto piece = cell.along(at);
+          visit({trace.length, piece.offset + piece.f(0), nullptr});
+        }
+        trace_cell(trace, cell, at);
+        return true;
+      });
+      solver.end_span();
+      roots.end_span();
+    });
+  });
+}
 
 template <class Real>
 void solve_volume(RaySolver<Real>& solver, const VolumeFields& fields, const FieldLevels<Real>& levels,

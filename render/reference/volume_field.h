@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "render/reference/pixel_ray.h"
@@ -34,5 +35,19 @@ struct FieldLevels {
 template <class Real>
 void solve_volume(RaySolver<Real>& solver, const VolumeFields& fields, const FieldLevels<Real>& levels,
                   double tolerance, const PixelRay<Real>& ray);
+
+/// A place on a ray that is traced.
+struct TracedPlace {
+  double length = 0;                                ///< from where the ray enters, in smallest spacings
+  double value = 0;                                 ///< of the field that is integrated; NaN in an empty cell
+  const CrossedSurface<double>* crossed = nullptr;  ///< the surface that was composited here, if it was
+};
+
+/// The same, to the ray's end, and told as it goes: each cell is solved in `parts_a_cell` parts and cut where
+/// surfaces are met; visit(place) is called at the entry, behind each part and behind each surface, when the
+/// solver has collected all before it. `levels.are_apart`.
+void trace_volume(RaySolver<double>& solver, const VolumeFields& fields, const FieldLevels<double>& levels,
+                  double tolerance, const PixelRay<double>& ray, int parts_a_cell,
+                  const std::function<void(const TracedPlace&)>& visit);
 
 }  // namespace crest::reference

@@ -11,7 +11,12 @@ layout(location = 0) out vec4 out_color;
 
 #if LONG_RAYS
 // A pass renders these of a ray's intervals, each one smallest spacing long: some drivers end loops that are too long.
+#ifdef TRACE
+const int first_interval = 0;
+#define interval_count TRACED_INTERVALS
+#else
 uniform int first_interval, interval_count;
+#endif
 precise float pass_begin;
 #endif
 #if EARLY_TERMINATION

@@ -22,9 +22,19 @@ vec3 at(Ray ray, float t) {
   return position;
 }
 
+#ifdef TRACE
+// All pixels draw one ray, the n-th one its first n intervals (raycaster/trace_ray.h).
+uniform vec2 traced_pixel;
+uniform int trace_width;
+#define PIXEL traced_pixel
+#define TRACED_INTERVALS (int(gl_FragCoord.y) * trace_width + int(gl_FragCoord.x))
+#else
+#define PIXEL gl_FragCoord.xy
+#endif
+
 // Row 0 is at the top; the ray goes through the pixel's centre.
 Ray pixel_ray() {
-  precise vec2 plane = vec2(2.0, -2.0) * gl_FragCoord.xy / image_size + vec2(-1.0, 1.0);
+  precise vec2 plane = vec2(2.0, -2.0) * PIXEL / image_size + vec2(-1.0, 1.0);
   precise vec3 towards = ray_w + plane.x * ray_u + plane.y * ray_v;
   precise float size = sqrt(towards.x * towards.x + towards.y * towards.y + towards.z * towards.z);
   precise vec3 origin = ray_anchor + plane.x * ray_anchor_u + plane.y * ray_anchor_v, direction = towards / size;

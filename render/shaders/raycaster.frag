@@ -20,7 +20,12 @@ layout(location = 0) out vec4 out_color;
 
 #if LONG_RAYS
 // A pass renders these of a ray's intervals: some drivers end loops that are too long.
+#ifdef TRACE
+const int first_interval = 0;
+#define interval_count TRACED_INTERVALS
+#else
 uniform int first_interval, interval_count;
+#endif
 #endif
 #if EARLY_TERMINATION
 uniform float least_residual;
@@ -65,6 +70,9 @@ void march_intervals(Ray ray, Sampling s, int first, int last, int index) {
 #if LONG_RAYS
   first = max(first, first_interval - index);
   last = min(last, first_interval + interval_count - index);
+#endif
+#ifdef TRACE
+  if (first < last) traced_to = PREINTEGRATED != 0 ? boundary_at(s, last) : sample_at(s, last - 1);
 #endif
   if (first < last) march(ray, s, first, last);
 }
@@ -157,6 +165,9 @@ void main() {
   Span box;
   if (hit_box(ray, box.enter, box.exit)) {
     int index = 0;
+#ifdef TRACE
+    traced_to = box.enter;
+#endif
 #if DVR && !BLEND_SEMI_TRANSPARENT
     ray_length = box.exit - box.enter;
     collected = nothing_gathered;
@@ -172,6 +183,9 @@ void main() {
     if (index == 0) collected = vec4(0.0);
 #if STATISTICS
     counts.w |= 0x80000000u;
+#endif
+#ifdef TRACE
+    counts.w = floatBitsToUint(traced_to - box.enter);
 #endif
   }
   out_color = collected;

@@ -4,6 +4,9 @@
 // The exact march leaves out none; there the last one has the bits of the error bound.
 layout(location = 1) out uvec4 out_counts;
 uvec4 counts = uvec4(0u);
+#ifdef TRACE
+float traced_to;  // where the last interval ends; its distance from the entry takes the place of the last counter
+#endif
 #define COUNT_SAMPLE ++counts.x
 #define COUNT_DVR_SAMPLE ++counts.y
 #define COUNT_CROSSING ++counts.z

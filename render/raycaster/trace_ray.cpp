@@ -1,0 +1,73 @@
+#include "render/raycaster/trace_ray.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "presets/choices.h"
+#include "presets/error.h"
+#include "render/gl/uniforms.h"
+#include "render/raycaster/bindings.h"
+#include "render/resources/classification.h"
+#include "render/shader_inputs/blend_mode.h"
+#include "render/shader_inputs/view_uniforms.h"
+
+namespace crest {
+namespace {
+
+constexpr int most_columns = 1024;
+
+void draw_traces(Resources& resources, const Scene& scene, const Camera& camera, glm::ivec2 size,
+                 glm::ivec2 pixel, const Need& need, const gl::RenderTarget& target) {
+  using gl::set;
+  std::vector<std::string> defines = shader_defines(need.features);
+  defines.push_back("TRACE");
+  const GLuint id = resources.programs.program("fullscreen.vert", fragment_shader(need.features), defines);
+  bind_scene(resources.held, scene, classification_of(resources.held, scene), need, id);
+  set_view(id, scene, camera, size);
+  set(id, "traced_pixel", glm::vec2(pixel) + 0.5F);
+  set(id, "trace_width", target.size().x);
+  GLuint array = 0;
+  glCreateVertexArrays(1, &array);
+  const gl::VertexArrayHandle vertex_array(array);
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+  glViewport(0, 0, target.size().x, target.size().y);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glBindVertexArray(array);
+  glUseProgram(id);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace
+
+std::vector<TracedStep> trace_ray(Raycaster& raycaster, Scene scene, const Camera& camera, glm::ivec2 size,
+                                  glm::ivec2 pixel) {
+  if (is_analytic(scene.rendering.classification)) throw Error("the exact march takes no samples");
+  scene.rendering.engine = Engine::raycaster;
+  scene.rendering.skipping = false;
+  Need need = raycaster.need(scene, camera, size, true);
+  if (need.is_empty()) return {};
+  if (need.intervals > most_traced_steps)
+    throw Error(fmt::format("up to {} steps along a ray are too many to be told one by one (at most {})",
+                            need.intervals, most_traced_steps));
+  need.features.long_rays = true;
+  const int columns = std::min(need.intervals + 1, most_columns), rows = need.intervals / columns + 1;
+  const gl::RenderTarget target({columns, rows}, true);
+  draw_traces(raycaster.resources(), scene, camera, size, pixel, need, target);
+
+  const Image colors = target.read_color();
+  const std::vector<glm::uvec4> counts = target.read_counts();
+  const double unit = scene.volume->grid.smallest_spacing();
+  std::vector<TracedStep> steps;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double depth = unit * double(std::bit_cast<float>(counts[i].w));
+    if (i > 0 && !(depth > steps.back().depth)) break;  // the ray has ended
+    steps.push_back({depth, colors.pixels[i], counts[i].z});
+  }
+  return steps.size() > 1 ? steps : std::vector<TracedStep>();
+}
+
+}  // namespace crest
