@@ -210,6 +210,16 @@ void Studio::save_preset_to(const std::filesystem::path& path) {
   }
 }
 
+void Studio::save_ray_to(const std::filesystem::path& path) {
+  try {
+    if (!rays_.inspection()) throw Error("no ray is inspected");
+    write_file_atomically(path, ray_table(*rays_.inspection()));
+    say(fmt::format("Saved {}", path.string()));
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
 void Studio::open(const std::string& source) {
   if (is_preset_file(source))
     open_preset(source, TfParts::both);
@@ -231,6 +241,7 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.import_choice) take_import(*requests.import_choice);
   if (requests.export_preset) export_to(*requests.export_preset);
   if (requests.save_preset) save_preset_to(*requests.save_preset);
+  if (requests.save_ray) save_ray_to(*requests.save_ray);
   if (requests.cancel_loading) cancel_loading();
   if (requests.open_volume) start_loading(*requests.open_volume);
   if (requests.reload_shaders) {
@@ -256,6 +267,8 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.choice = &choice_.results();
   for (int i = 0; i < picture_count; ++i) inputs.views[std::size_t(i)] = views_.picture(i);
   inputs.difference = difference_.picture();
+  inputs.ray = rays_.inspection();
+  inputs.picked = picked_;
   if (!loaded_.volume) return inputs;
   const Scene scene = make_scene(loaded_.volume, document_.preset);
   const Classification& classification = views_.renderer().classification(scene);
@@ -296,6 +309,27 @@ void Studio::update_difference(const StudioRequests& requests) {
     difference_.update(views_, *requests.comparison);
   else
     difference_.clear();
+}
+
+/// The inspected ray is brought up to date when nothing moves; what is under the mouse is solved at once.
+void Studio::update_rays(const StudioRequests& requests, bool interactive) {
+  if (!requests.inspect || !loaded_.volume) rays_.clear();
+  picked_.reset();
+  if (!loaded_.volume) return;
+  try {
+    const auto camera = [&](const RayAsk& ask) {
+      return camera_of(document_.preset, loaded_.volume->grid, aspect_of(ask.size));
+    };
+    if (requests.inspect)
+      rays_.want(make_scene(loaded_.volume, document_.preset), camera(*requests.inspect), *requests.inspect);
+    if (!interactive) rays_.work(views_.renderer());
+    if (const auto& ask = requests.hovered; ask && !requests.document_changed) {
+      const Preset preset = preset_of(requests.contents[std::size_t(ask->view)], document_.preset);
+      picked_ = rays_.pick(make_scene(loaded_.volume, preset), camera(*ask), *ask);
+    }
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
 }
 
 void Studio::update_sweep(const StudioRequests& requests, bool interactive) {
@@ -364,6 +398,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   animates_ = requests.animates;
   tell_view_error();
   update_export_picture(requests);
+  update_rays(requests, interactive);
   update_sweep(requests, interactive);
   update_choice(requests);
   if (const std::string& error = views_.renderer().resources().programs.error(); !error.empty())

@@ -10,6 +10,7 @@
 #include "app/background_choice.h"
 #include "app/background_sweep.h"
 #include "app/export_picture.h"
+#include "app/ray_inspector.h"
 #include "app/recent_files.h"
 #include "app/view_difference.h"
 #include "app/view_renderer.h"
@@ -38,8 +39,10 @@ class Studio {
   bool is_loading() const { return loader_.is_loading(); }  ///< a volume is being read
   /// Whether a thread reads on, although nobody waits for it: VolumeLoader::has_thread.
   bool leaves_thread() const { return loader_.has_thread(); }
-  bool is_drawing() const { return views_.is_busy(); }  ///< a view is not done
-  bool animates() const { return animates_; }           ///< the window changes by itself, each blink_s
+  bool is_drawing() const {
+    return views_.is_busy() || rays_.is_busy();
+  }                                            ///< a view, or the inspected ray, is not done
+  bool animates() const { return animates_; }  ///< the window changes by itself, each blink_s
   /// Something of the measurement in the background may come up soon, has come up.
   bool is_measuring() const { return sweep_.is_active() || choice_.is_running(); }
   bool has_news() const { return sweep_.has_news(BackgroundSweep::Clock::now()) || choice_.has_news(); }
@@ -75,6 +78,8 @@ class Studio {
   void update_choice(const StudioRequests& requests);
   ViewRequest request_of(const ViewContent& content, ShownPicture shown_by_all, glm::ivec2 size) const;
   std::array<ViewRequest, picture_count> view_requests(const StudioRequests& requests) const;
+  void update_rays(const StudioRequests& requests, bool interactive);
+  void save_ray_to(const std::filesystem::path& path);
   void update_difference(const StudioRequests& requests);
 
   Document document_;
@@ -87,6 +92,8 @@ class Studio {
   StudioStatePtr ui_ = make_studio_state();
   ViewRenderer views_;
   ViewDifference difference_;
+  RayInspector rays_;
+  std::optional<PickedPixel> picked_;
   bool animates_ = false;
   BackgroundSweep sweep_;
   BackgroundChoice choice_;

@@ -23,12 +23,18 @@ struct Wording {
   std::span<const std::string_view> extensions;  ///< none: all files
 };
 constexpr std::string_view own_extension[] = {".json"};
+constexpr std::string_view table_extension[] = {".csv"};
 const Wording wordings[] = {{"Open a volume", "Open", {}},
                             {"Open a preset", "Open", preset_extensions()},
                             {"Save the preset", "Save", own_extension},
-                            {"Export to a file", "Export", {}}};
+                            {"Export to a file", "Export", {}},
+                            {"Save the ray as a table", "Save", table_extension}};
 
 const Wording& wording(FilePurpose purpose) { return wordings[int(purpose)]; }
+
+bool writes(FilePurpose purpose) {
+  return purpose != FilePurpose::open_volume && purpose != FilePurpose::open_preset;
+}
 
 std::string lower(std::string text) {
   for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
@@ -93,7 +99,7 @@ std::optional<std::string> take(FileDialog& dialog) {
     enter(dialog, path);
     return std::nullopt;
   }
-  if (dialog.purpose == FilePurpose::save_preset || dialog.purpose == FilePurpose::export_preset) {
+  if (writes(dialog.purpose)) {
     if (path.extension().empty()) path += dialog.extension;
     if (!fs::is_directory(path.parent_path(), ignored)) {
       dialog.error = fmt::format("{}: there is no such folder", path.parent_path().string());
@@ -237,7 +243,7 @@ void open_file_dialog(FileDialog& dialog, FilePurpose purpose, const fs::path& n
   dialog.purpose = purpose;
   dialog.asked = dialog.open = true;
   if (purpose == FilePurpose::save_preset) dialog.name = near.filename().string();
-  dialog.extension = ".json";
+  dialog.extension = purpose == FilePurpose::save_ray ? ".csv" : ".json";
   enter(dialog, folder);
 }
 

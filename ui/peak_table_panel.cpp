@@ -80,6 +80,23 @@ void hover_cell(StudioState& state, const PeakTable& table, std::span<const Peak
                                    range_text(bin_range(table, exit)));
 }
 
+/// Where a ray's steps lie in the table: the values at their two ends, from step to step.
+void draw_path(ImDrawList& list, ImVec2 low, float side, ValueRange range, const InspectedRay& ray) {
+  if (ray.steps.size() < 3) return;
+  const auto along = [&](double value) { return float((value - range.min) / range.width()) * side; };
+  std::vector<ImVec2> path;
+  for (std::size_t i = 1; i < ray.steps.size(); ++i) {
+    const double entry = ray.exact.value_at(ray.steps[i - 1].depth),
+                 exit = ray.exact.value_at(ray.steps[i].depth);
+    if (!std::isnan(entry) && !std::isnan(exit))
+      path.push_back({low.x + along(entry), low.y + side - along(exit)});
+  }
+  list.PushClipRect(low, {low.x + side, low.y + side}, true);
+  list.AddPolyline(path.data(), int(path.size()), IM_COL32(255, 255, 255, 110), ImDrawFlags_None, 1);
+  for (const ImVec2 at : path) list.AddCircleFilled(at, scaled(1.5F), IM_COL32(255, 255, 255, 220));
+  list.PopClipRect();
+}
+
 /// Text turned to be read from below; `place` is where it begins, at the left of its letters' tops.
 void draw_upwards(ImDrawList& list, ImVec2 place, const char* text) {
   const int first = list.VtxBuffer.Size;
@@ -124,6 +141,9 @@ void peak_table_panel(const Document& document, StudioState& state, const Studio
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_picture(list, low, side, table, inputs.surfaces);
+  const std::size_t mode = std::size_t(std::ranges::find(view_modes, state.ray.mode) - view_modes.begin());
+  if (state.ray.ask && inputs.ray && inputs.ray->modes[mode])
+    draw_path(list, low, side, table.range, *inputs.ray->modes[mode]);
   const auto text_width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   const std::string least = short_text(table.range.min), most = short_text(table.range.max);
   const float text_y = low.y + side + scaled(4);

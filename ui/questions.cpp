@@ -108,6 +108,7 @@ void file_question(StudioState& state, StudioRequests& requests) {
     }
     if (purpose == FilePurpose::export_preset) requests.export_preset = {state.export_dialog.to_write, *path};
     if (purpose == FilePurpose::save_preset) requests.save_preset = *path;
+    if (purpose == FilePurpose::save_ray) requests.save_ray = *path;
   }
   if (state.quit_after_save && requests.save_preset) requests.quit = true;
   if (!state.file_dialog.open) state.quit_after_save = false;

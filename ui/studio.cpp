@@ -12,6 +12,7 @@
 #include "ui/peak_table_panel.h"
 #include "ui/peaks_panel.h"
 #include "ui/questions.h"
+#include "ui/ray_panel.h"
 #include "ui/rendering_panel.h"
 #include "ui/status_bar.h"
 #include "ui/style.h"
@@ -74,6 +75,13 @@ bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, St
   note_item(state.widgets, "tab/Accuracy");
   if (accuracy) {
     changed |= accuracy_panel(document, state, inputs, requests);
+    ImGui::EndTabItem();
+  }
+  const bool ray = ImGui::BeginTabItem(
+      "Ray", nullptr, std::exchange(state.ray.asks_for_tab, false) ? ImGuiTabItemFlags_SetSelected : 0);
+  note_item(state.widgets, "tab/Ray");
+  if (ray) {
+    ray_panel(document, state, inputs);
     ImGui::EndTabItem();
   }
   ImGui::EndTabBar();

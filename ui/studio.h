@@ -18,6 +18,7 @@
 #include "ui/choice_results.h"
 #include "ui/comparison.h"
 #include "ui/document.h"
+#include "ui/ray_inspection.h"
 #include "ui/view_content.h"
 
 namespace crest {
@@ -59,7 +60,9 @@ struct StudioInputs {
   std::span<const Peak> peaks;     ///< of `resolved`
   std::span<const Peak> surfaces;  ///< those that are shown as surfaces
   std::array<ViewPicture, picture_count> views;
-  DifferencePicture difference;  ///< of the two pictures that are compared, where that was asked for
+  const RayInspection* ray = nullptr;  ///< as it was asked for; null while nothing of it is there
+  std::optional<PickedPixel> picked;   ///< under the mouse, when it rests
+  DifferencePicture difference;        ///< of the two pictures that are compared, where that was asked for
   const AccuracyResults* accuracy = nullptr;  ///< null while nothing was ever measured
   const ChoiceResults* choice = nullptr;      ///< null while nothing was ever chosen
   std::string loading;                        ///< the volume that is being read; empty while none is
@@ -102,6 +105,9 @@ struct StudioRequests {
   ShownPicture shown_picture = ShownPicture::exact;  ///< of views that have no choice of their own
   std::array<ViewContent, view_count> contents;      ///< of the views
   std::optional<Comparison> comparison;              ///< of a view that is visible
+  std::optional<RayAsk> inspect;                     ///< as long as the ray is to be seen
+  std::optional<RayAsk> hovered;                     ///< the pixel under the mouse
+  std::optional<std::filesystem::path> save_ray;     ///< the inspected ray, as a table
   std::string problem;                ///< with what the person asked for, which the panels found themselves
   bool animates = false;              ///< something in the window changes by itself, at blink_s
   bool document_changed = false;      ///< by this frame: an edit, undo or redo

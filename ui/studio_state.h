@@ -38,6 +38,15 @@ struct ViewsState {
 /// What the views show that have no choice of their own.
 ShownPicture shown_by_all(const ViewsState& views);
 
+struct RayState {
+  std::optional<RayAsk> ask;  ///< the ray that is inspected
+  Mode mode = Mode::peak_xor_dvr;
+  bool asks_for_tab = false;
+  Picked picked;                      ///< where the menu of a view was opened
+  RayAsk under_menu;                  ///< there
+  std::optional<ValueRange> visible;  ///< depths; without it, all of the ray
+};
+
 struct AccuracyState {
   std::optional<ExactAnswer>
       answer;  ///< against which errors are shown; without one, that of the preset's mode
@@ -87,6 +96,7 @@ struct StudioState {
   History history;
   EditorState editor;
   ViewsState views;
+  RayState ray;
   AccuracyState accuracy;
   LayoutState layout;
   FileDialog file_dialog;

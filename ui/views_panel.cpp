@@ -10,6 +10,7 @@
 #include "render/scene/error_colors.h"
 #include "ui/camera_control.h"
 #include "ui/comparison_view.h"
+#include "ui/picking.h"
 #include "ui/style.h"
 #include "ui/view_caption.h"
 #include "ui/view_overlay.h"
@@ -133,7 +134,9 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
     else if (inputs.volume)
       changed = move_camera(document, state, inputs.volume->grid, camera, image.y);
     picture(index, state, inputs, document.preset.camera.value_or(camera), low, image);
-    if (ImGui::IsItemHovered()) {
+    const bool is_hovered = ImGui::IsItemHovered();
+    changed |= pick_in_view(document, state, inputs, requests, index, low, image, requests.view_pixels[i]);
+    if (is_hovered) {
       cursor = cursor_at(ImGui::GetIO().MousePos, low, image);
     } else if (state.views.cursor) {
       cursor_mark(*ImGui::GetWindowDrawList(), *state.views.cursor, low, image);
@@ -188,6 +191,7 @@ bool views_panel(Document& document, StudioState& state, const StudioInputs& inp
   views.cursor = cursor;
   requests.shown_picture = shown_by_all(views);
   requests.contents = views.contents;
+  requests.inspect = state.ray.ask;
   requests.problem = std::exchange(views.error, "");
   if (views.comparison && requests.view_pixels[std::size_t(views.comparison->view)].x > 0) {
     requests.comparison = views.comparison;

@@ -1,0 +1,82 @@
+#include "app/ray_inspector.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "presets/choices.h"
+#include "presets/names.h"
+#include "render/raycaster/trace_ray.h"
+#include "render/reference/answer.h"
+
+namespace crest {
+namespace {
+
+/// Of the scene in one mode, as its settings have it.
+InspectedRay inspect(Renderer& renderer, Scene scene, const Camera& camera, const RayAsk& ask, Mode mode) {
+  scene.rendering = in_mode(scene.rendering, mode);
+  InspectedRay ray;
+  ray.exact = ExactRays(scene, camera, ask.size, answers_of(scene.rendering).front()).at(ask.pixel);
+  try {
+    ray.steps = trace_ray(renderer.raycaster(), scene, camera, ask.size, ask.pixel);
+  } catch (const std::exception& error) {
+    ray.why_no_steps = error.what();
+  }
+  for (TracedStep& step : ray.steps) step.depth += ray.exact.enter;
+  ray.crossings = check_crossings(ray.exact, ray.steps);
+  return ray;
+}
+
+}  // namespace
+
+bool RayInspector::Subject::is(const Scene& other, const Camera& its_camera) const {
+  return scene.volume == other.volume && scene.tf == other.tf && scene.rendering == other.rendering &&
+         camera == its_camera;
+}
+
+bool RayInspector::is_busy() const { return wanted_ && std::ranges::count(wanted_->is_current, false) > 0; }
+
+void RayInspector::want(const Scene& scene, const Camera& camera, const RayAsk& ask) {
+  if (wanted_ && wanted_->inspection.ask == ask && wanted_->subject.is(scene, camera)) return;
+  Wanted wanted{{scene, camera}, {ask, {}}, {}};
+  if (wanted_ && wanted_->inspection.ask == ask)
+    wanted.inspection.modes = std::move(wanted_->inspection.modes);
+  wanted_ = std::move(wanted);
+}
+
+void RayInspector::work(Renderer& renderer) {
+  if (!is_busy()) return;
+  const std::size_t mode =
+      std::size_t(std::ranges::find(wanted_->is_current, false) - wanted_->is_current.begin());
+  wanted_->is_current[mode] = true;
+  wanted_->inspection.modes[mode] = inspect(renderer, wanted_->subject.scene, wanted_->subject.camera,
+                                            wanted_->inspection.ask, view_modes[mode]);
+}
+
+PickedPixel RayInspector::pick(const Scene& scene, const Camera& camera, const RayAsk& ask) {
+  if (!picking_ || !picking_->subject.is(scene, camera) || picking_->size != ask.size)
+    picking_.reset(new Picking{
+        {scene, camera}, ask.size, ExactRays(scene, camera, ask.size, answers_of(scene.rendering).front())});
+  return {ask, crest::pick(picking_->rays.at(ask.pixel))};
+}
+
+std::string ray_table(const RayInspection& inspection) {
+  std::string text = "mode,kind,depth,value,surface,opacity,red,green,blue,crossings\n";
+  for (std::size_t i = 0; i < view_count; ++i) {
+    if (!inspection.modes[i]) continue;
+    const InspectedRay& ray = *inspection.modes[i];
+    const std::string_view mode = name_of(view_modes[i]);
+    int crossings = 0;
+    for (const RayPlace& place : ray.exact.places)
+      text += fmt::format("{},exact,{},{},{},{},{},{},{},{}\n", mode, place.depth, place.value,
+                          place.surface ? fmt::format("{}", *place.surface) : "", place.opacity,
+                          place.color.r, place.color.g, place.color.b, crossings += place.surface ? 1 : 0);
+    for (const TracedStep& step : ray.steps)
+      text +=
+          fmt::format("{},drawn,{},{},,{},{},{},{},{}\n", mode, step.depth, ray.exact.value_at(step.depth),
+                      step.color.a, step.color.r, step.color.g, step.color.b, step.crossings);
+  }
+  return text;
+}
+
+}  // namespace crest
