@@ -20,7 +20,7 @@ TEST_F(CommandLine, HelpTellsEachOption) {
       {"render", scene + picture},
       {"compare", scene + picture},
       {"peaks", {"PRESET", "--volume", "--bins", "--json"}},
-      {"info", {"VOLUME", "--bins", "--json"}},
+      {"info", {"VOLUME", "--bins", "--by-value", "--suggest-peaks", "--json"}},
       {"export",
        {"PRESET", "--to", "paraview", "csv", "--output", "--volume", "--samples", "--size", "--preview",
         "--json"}},

@@ -35,6 +35,29 @@ TEST_F(Data, InfoOfAVolumeFromAFormula) {
   EXPECT_EQ(histogram[0], 6);  // below -1.25: x = y = -1 with four z, x = -1 and y = -0.5 with two
 }
 
+TEST_F(Data, InfoByValue) {
+  // Its gradient is one vector, of length sqrt(21) / 4: no value stands out
+  const auto info =
+      json_of({"info", "builtin:linear?n=9", "--by-value", path("curves.csv"), "--suggest-peaks"});
+  EXPECT_EQ(info["suggested_peaks"], nlohmann::json::array());
+  std::istringstream csv(content_of(path("curves.csv")));
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line, "from,to,volume,surface_area,mean_gradient,enclosed_volume");
+  std::getline(csv, line);
+  double from = 0, to = 0, volume = 0, area = 0, gradient = 0, enclosed = 0;
+  ASSERT_EQ(
+      std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf", &from, &to, &volume, &area, &gradient, &enclosed),
+      6);
+  EXPECT_EQ(from, -1.75);
+  EXPECT_NEAR(to, -1.75 + 3.5 / 512, 1e-12);
+  EXPECT_NEAR(gradient, std::sqrt(21) / 4, 1e-9);
+  EXPECT_NEAR(enclosed, 8, 1e-9);
+  EXPECT_NEAR(area, gradient * volume / (to - from), 1e-9);
+  // The wall of a sphere's field is everywhere; a vessel tree has one
+  EXPECT_FALSE(json_of({"info", "builtin:vessels?n=32", "--suggest-peaks"})["suggested_peaks"].empty());
+}
+
 TEST_F(Data, InfoOfARawFile) {
   std::string bytes;
   for (int i = 0; i < 24; ++i) bytes += {char(0), char(i)};
