@@ -9,13 +9,11 @@
 #include <mutex>
 
 #include "presets/error.h"
-#include "render/classify/classification.h"
 #include "render/reference/formula_field.h"
 #include "render/reference/levels.h"
 #include "render/reference/pixel_ray.h"
 #include "render/reference/ray_solver.h"
-#include "render/reference/volume_field.h"
-#include "render/volume/empty_cells.h"
+#include "render/reference/solved_scene.h"
 
 namespace crest {
 namespace {
@@ -23,16 +21,6 @@ namespace {
 using namespace reference;
 
 constexpr std::size_t pixels_per_task = 64;
-
-/// What the answer integrates, and which of the surfaces it shows.
-template <class Real>
-Levels<Real> levels_of(const Scene& scene, Answer answer, std::span<const Peak> surfaces) {
-  TransferFunction tf = scene.tf;
-  if (answer == Answer::crossings) tf.points.clear();
-  if (answer == Answer::base_and_crossings) tf = base_transfer_function(tf, find_peaks(tf));
-  if (answer == Answer::integral) surfaces = {};
-  return make_levels<Real>(std::move(tf), surfaces, scene.volume->grid.smallest_spacing());
-}
 
 /// Calls render_pixel(index) for each pixel, in parallel. Throws Cancelled when `progress` asks for it.
 template <class RenderPixel>
@@ -78,27 +66,13 @@ Reference render(const Scene& scene, const Camera& camera, glm::ivec2 size, cons
   return result;
 }
 
-/// The fields of the filters that the answer shows.
-VolumeFields fields_of(const Scene& scene, Answer answer) {
-  const auto [dvr, root] = filters_of(answer, scene.rendering);
-  VolumeFields fields{*scene.volume, dvr, root, {}};
-  if (scene.volume->has_empty_cells())
-    fields.empty_cells = find_empty_cells(*scene.volume, std::max(radius_of(dvr), radius_of(root)));
-  return fields;
-}
-
 template <class Real>
 Reference render_volume(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
                         double tolerance, const Progress& progress) {
-  const VolumeFields fields = fields_of(scene, answer);
-  const auto surfaces = classify(scene.tf, surface_range(scene)).surfaces;
-  FieldLevels<Real> levels;
-  levels.are_apart = fields.dvr != fields.root && !surfaces.empty();
-  levels.levels = levels_of<Real>(scene, answer, levels.are_apart ? std::span<const Peak>() : surfaces);
-  if (levels.are_apart) levels.surfaces = levels_of<Real>(scene, Answer::crossings, surfaces);
-  return render(scene, camera, size, levels.levels, tolerance, progress,
+  const SolvedScene<Real> solved = solved_scene<Real>(scene, answer);
+  return render(scene, camera, size, solved.levels.levels, tolerance, progress,
                 [&](RaySolver<Real>& solver, const PixelRay<Real>& ray) {
-                  solve_volume(solver, fields, levels, tolerance, ray);
+                  solve_volume(solver, solved.fields, solved.levels, tolerance, ray);
                 });
 }
 
