@@ -102,6 +102,7 @@ void Studio::show(Loaded fresh) {
   if (was_saved) saved_ = document_.preset;
   fit_ = nullptr;
   loaded_ = std::move(fresh);
+  matters_.set_volume(loaded_.volume);
   if (!loading_for_document_) document_.volume_source = loaded_.source;
   recent_.add(loaded_.source);
   const Volume& volume = *loaded_.volume;
@@ -261,6 +262,12 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.resolved = scene.tf;
   inputs.peaks = classification.peaks;
   inputs.surfaces = classification.surfaces;
+  inputs.by_value = matters_.by_value();
+  inputs.suggested = matters_.suggested();
+  inputs.visibility = matters_.visibility();
+  inputs.visibility_is_old = matters_.is_visibility_old();
+  inputs.why_no_by_value = matters_.why_no_by_value();
+  inputs.why_no_visibility = matters_.why_no_visibility();
   return inputs;
 }
 
@@ -302,23 +309,39 @@ void Studio::take_choice() {
   if (const auto chosen = choice_.take(choice_subject({1, 1}))) document_.preset.rendering = *chosen;
 }
 
-/// For the size of the view of the preset's own mode, or of another where that is not to be seen.
-void Studio::update_choice(const StudioRequests& requests) {
-  if (requests.stop_choosing) choice_.stop();
-  if (choice_.is_running() && loaded_.volume) choice_.update(choice_subject({1, 1}));
-  if (choice_.is_running()) sweep_.rest_until(BackgroundSweep::Clock::now() + quiet);
+/// The size of the view of the preset's own mode, or of another where that is not to be seen.
+glm::ivec2 Studio::own_view(const StudioRequests& requests) const {
   glm::ivec2 size{0};
   for (std::size_t i = 0; i < view_count; ++i)
     if (const glm::ivec2 view = requests.view_pixels[i];
         view.x > 0 && (size.x == 0 || view_modes[i] == document_.preset.rendering.mode))
       size = view;
+  return size;
+}
+
+void Studio::update_choice(const StudioRequests& requests) {
+  if (requests.stop_choosing) choice_.stop();
+  if (choice_.is_running() && loaded_.volume) choice_.update(choice_subject({1, 1}));
+  if (choice_.is_running()) sweep_.rest_until(BackgroundSweep::Clock::now() + quiet);
+  const glm::ivec2 size = own_view(requests);
   if (requests.choose && loaded_.volume && size.x > 0)
     choice_.start(choice_subject(size), {.target = *requests.choose});
+}
+
+void Studio::update_matters(const StudioRequests& requests, bool interactive) {
+  std::optional<VisibilitySubject> picture;
+  const glm::ivec2 size = own_view(requests);
+  if (requests.show_visibility && loaded_.volume && size.x > 0)
+    picture = {make_scene(loaded_.volume, document_.preset),
+               camera_of(document_.preset, loaded_.volume->grid, aspect_of(size)), visibility_size(size)};
+  matters_.update(std::move(picture), !interactive && !is_drawing() && !is_loading(),
+                  WhatMatters::Clock::now());
 }
 
 void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   take_loaded_volume();
   take_choice();
+  matters_.take();
   StudioInputs shown;
   try {
     shown = inputs(close_requested);
@@ -346,6 +369,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   update_export_picture(requests);
   update_sweep(requests, interactive);
   update_choice(requests);
+  update_matters(requests, interactive);
   if (const std::string& error = views_.renderer().resources().programs.error(); !error.empty())
     say(error, true);
 }

@@ -13,6 +13,7 @@
 #include "app/recent_files.h"
 #include "app/view_renderer.h"
 #include "app/volume_loader.h"
+#include "app/what_matters.h"
 #include "ui/studio.h"
 
 namespace crest {
@@ -39,8 +40,11 @@ class Studio {
   bool leaves_thread() const { return loader_.has_thread(); }
   bool is_drawing() const { return views_.is_busy(); }  ///< a view is not done
   /// Something of the measurement in the background may come up soon, has come up.
-  bool is_measuring() const { return sweep_.is_active() || choice_.is_running(); }
-  bool has_news() const { return sweep_.has_news(BackgroundSweep::Clock::now()) || choice_.has_news(); }
+  bool is_measuring() const { return sweep_.is_active() || choice_.is_running() || matters_.is_active(); }
+  bool has_news() const {
+    const auto now = BackgroundSweep::Clock::now();
+    return sweep_.has_news(now) || choice_.has_news() || matters_.has_news(now);
+  }
   std::string title() const;
   const Document& document() const { return document_; }
   const StudioState& ui_state() const { return *ui_; }
@@ -71,6 +75,8 @@ class Studio {
   SweepSubject choice_subject(glm::ivec2 size) const;
   void take_choice();
   void update_choice(const StudioRequests& requests);
+  void update_matters(const StudioRequests& requests, bool interactive);
+  glm::ivec2 own_view(const StudioRequests& requests) const;
   std::array<ViewRequest, view_count> view_requests(const StudioRequests& requests) const;
 
   Document document_;
@@ -84,6 +90,7 @@ class Studio {
   ViewRenderer views_;
   BackgroundSweep sweep_;
   BackgroundChoice choice_;
+  WhatMatters matters_;
   std::vector<Imported> imported_;  ///< from imported_from_, while the person chooses
   std::string imported_from_;
   TfParts import_take_ = TfParts::both;  ///< as the file was opened

@@ -170,6 +170,9 @@ bool view_menu(Document& document, StudioState& state, StudioRequests& requests)
   bool changed = false;
   if (item(state, "Reset view", "R")) changed |= reset_view(document, state);
   ImGui::MenuItem("Outline and axes", nullptr, &state.views.outline);
+  ImGui::MenuItem("Suggested peaks", nullptr, &state.editor.suggestions);
+  note_item(state.widgets, "Suggested peaks");
+  tip("Marks on the value axis where the volume's mean gradient is highest");
   if (ImGui::MenuItem("Exact at rest", "X", state.views.exact)) toggle_exact(state.views);
   note_item(state.widgets, "Exact at rest");
   tip("When nothing moves, each view goes on to the exact picture of its mode.\n"

@@ -12,7 +12,10 @@
 
 #include "presets/exchange/importers.h"
 #include "presets/peaks.h"
+#include "render/reference/visibility.h"
 #include "render/scene/picture_need.h"
+#include "render/volume/by_value.h"
+#include "render/volume/suggested_peaks.h"
 #include "render/volume/volume.h"
 #include "ui/accuracy_results.h"
 #include "ui/choice_results.h"
@@ -59,10 +62,15 @@ struct StudioInputs {
   std::span<const Peak> peaks;     ///< of `resolved`
   std::span<const Peak> surfaces;  ///< those that are shown as surfaces
   std::array<ViewPicture, view_count> views;
-  const AccuracyResults* accuracy = nullptr;  ///< null while nothing was ever measured
-  const ChoiceResults* choice = nullptr;      ///< null while nothing was ever chosen
-  std::string loading;                        ///< the volume that is being read; empty while none is
-  std::string message;                        ///< the last news or error, one line
+  const ByValue* by_value = nullptr;               ///< of the volume; null while it is not measured
+  std::span<const SuggestedPeak> suggested;        ///< by it, the most persistent first
+  const Visibility* visibility = nullptr;          ///< null while it was never measured
+  bool visibility_is_old = false;                  ///< of a scene or a view that is no longer there
+  std::string why_no_by_value, why_no_visibility;  ///< where there can be none
+  const AccuracyResults* accuracy = nullptr;       ///< null while nothing was ever measured
+  const ChoiceResults* choice = nullptr;           ///< null while nothing was ever chosen
+  std::string loading;                             ///< the volume that is being read; empty while none is
+  std::string message;                             ///< the last news or error, one line
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
   std::string performance;          ///< e.g. frame times, for the status bar
@@ -104,6 +112,7 @@ struct StudioRequests {
       view_pixels{};  ///< size to draw each view at; (0, 0) = it is not visible
   ShownPicture shown_picture = ShownPicture::exact;
   bool document_changed = false;      ///< by this frame: an edit, undo or redo
+  bool show_visibility = false;       ///< as long as it is to be seen
   std::optional<bool> measure;        ///< switches the measurement in the background on or off
   std::optional<TargetError> choose;  ///< a setting that keeps this error
   bool stop_choosing = false;
