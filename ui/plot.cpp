@@ -147,7 +147,7 @@ void draw_axes(ImDrawList& list, const Plot& plot) {
 void draw_columns(ImDrawList& list, const Plot& plot, ValueRange range, std::span<const float> heights,
                   glm::dvec3 color, double alpha, ValueMap to_domain) {
   const double columns = double(heights.size());
-  const float height = (plot.high.y - plot.low.y) * 0.94F;
+  const float height = (plot.high.y - plot.low.y) * column_share;
   std::vector<CurveVertex> outline;
   outline.reserve(heights.size() * 2);
   for (std::size_t i = 0; i < heights.size(); ++i) {

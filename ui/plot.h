@@ -35,7 +35,9 @@ struct ValueMap {
   double offset = 0, scale = 1;
   double operator()(double v) const { return offset + scale * v; }
 };
-/// Equal columns over a range of the volume's values as one filled shape; heights are shares of the plot's.
+/// How high a column of height 1 is, as a share of the plot's height.
+inline constexpr float column_share = 0.94F;
+/// Equal columns over a range of the volume's values as one filled shape.
 void draw_columns(ImDrawList& list, const Plot& plot, ValueRange range, std::span<const float> heights,
                   glm::dvec3 color, double alpha, ValueMap to_domain);
 /// The curve, and the area under it in the TF's colours.

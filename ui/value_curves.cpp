@@ -13,15 +13,16 @@
 namespace crest {
 namespace {
 
-constexpr std::array<std::string_view, 10> names = {"no curve",          "values",          "values, log",
-                                                    "visibility",        "visibility, log", "surface area",
-                                                    "surface area, log", "mean gradient",   "volume above",
-                                                    "volume above, log"};
+constexpr std::array<std::string_view, 10> names = {
+    "no curve", "values",    "values, log", "visibility", "visibility, log",
+    "area",     "area, log", "gradient",    "volume",     "volume, log"};
 
 constexpr double log_decades = 4;  // below the greatest, of what is no count
 constexpr std::size_t most_marks = 8;
 constexpr double same_value = 0.01;  // of the volume's range: a peak so near is the one that is suggested
 constexpr float mark_reach = 7;      // pixels
+constexpr glm::dvec3 column_color = glm::dvec3(54, 62, 76) / 255.0,
+                     surface_color = glm::dvec3(70, 112, 150) / 255.0;
 
 bool is_logarithmic(ValueCurve curve) {
   return curve == ValueCurve::log_values || curve == ValueCurve::log_visibility ||
@@ -115,6 +116,18 @@ bool is_at(ImVec2 mouse, ImVec2 place) {
          std::abs(mouse.y - place.y) <= scaled(mark_reach);
 }
 
+/// A surface has one value: its column is as wide as it takes to be seen beside its peak's stem.
+void draw_surface_columns(ImDrawList& list, const Plot& plot, const Visibility& visibility,
+                          const std::vector<float>& heights, double alpha, ValueMap to_domain) {
+  const double bin_width = visibility.range.width() / double(visibility.bins());
+  for (std::size_t i = 0; i < visibility.bins(); ++i) {
+    if (!(visibility.surface[i] > 0)) continue;
+    const float x = plot.x_of(to_domain(visibility.range.min + (double(i) + 0.5) * bin_width));
+    const float top = plot.high.y - heights[i] * (plot.high.y - plot.low.y) * column_share;
+    list.AddRectFilled({x - scaled(4), top}, {x + scaled(4), plot.high.y}, packed(surface_color, alpha));
+  }
+}
+
 }  // namespace
 
 void value_curve_choice(EditorState& editor, WidgetState& widgets) {
@@ -124,9 +137,9 @@ void value_curve_choice(EditorState& editor, WidgetState& widgets) {
   tip("What lies behind the curve, by value:\n"
       "values: how many voxels have it\n"
       "visibility: how much of the picture it makes, in the preset's mode, from here\n"
-      "surface area: of its isosurface\n"
-      "mean gradient: how steep the field is there; steep where materials meet\n"
-      "volume above: how much space has this value or more");
+      "area: of its isosurface\n"
+      "gradient: how steep the field is there, on the mean: steep where materials meet\n"
+      "volume: how much space has this value or more");
 }
 
 void draw_value_curve(ImDrawList& list, const Plot& plot, EditorState& editor, const StudioInputs& inputs,
@@ -147,14 +160,13 @@ void draw_value_curve(ImDrawList& list, const Plot& plot, EditorState& editor, c
   }
   const double most = *std::ranges::max_element(columns.of_bin);
   if (!(most > 0)) return;
-  const bool split = is_visibility(curve);
-  const double alpha = split && inputs.visibility_is_old ? 0.4 : 1;
-  const glm::dvec3 plain = glm::dvec3(54, 62, 76) / 255.0, bright = glm::dvec3(70, 112, 150) / 255.0;
-  draw_columns(list, plot, columns.range, heights_of(columns.of_bin, most, curve), split ? bright : plain,
+  const std::vector<float> heights = heights_of(columns.of_bin, most, curve);
+  if (!is_visibility(curve))
+    return draw_columns(list, plot, columns.range, heights, column_color, 1, to_domain);
+  const double alpha = inputs.visibility_is_old ? 0.5 : 1;
+  draw_columns(list, plot, columns.range, heights_of(inputs.visibility->volume, most, curve), column_color,
                alpha, to_domain);
-  if (split)  // what is not of surfaces
-    draw_columns(list, plot, columns.range, heights_of(inputs.visibility->volume, most, curve), plain, alpha,
-                 to_domain);
+  draw_surface_columns(list, plot, *inputs.visibility, heights, alpha, to_domain);
 }
 
 std::string value_curve_text(const EditorState& editor, const StudioInputs& inputs, double value) {

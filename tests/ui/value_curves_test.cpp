@@ -70,7 +70,7 @@ TEST_F(ValueCurves, VisibilityIsAskedForWhileItIsToBeSeen) {
   EXPECT_FALSE(frame().show_visibility);
   choose("visibility");
   EXPECT_TRUE(requests.show_visibility);
-  choose("surface area, log");
+  choose("area, log");
   EXPECT_FALSE(requests.show_visibility);
 }
 
@@ -87,16 +87,18 @@ TEST_F(ValueCurves, TheStatusBarTellsWhatIsUnderTheMouse) {
   };
   char expected[80];
   std::snprintf(expected, sizeof expected, "surface area %.4g", surface_area(by_value)[bin]);
-  EXPECT_PRED2(ends_with, told("surface area"), expected);
+  EXPECT_PRED2(ends_with, told("area"), expected);
   std::snprintf(expected, sizeof expected, "mean gradient %.4g", mean_gradient(by_value)[bin]);
-  EXPECT_PRED2(ends_with, told("mean gradient"), expected);
+  EXPECT_PRED2(ends_with, told("gradient"), expected);
   std::snprintf(expected, sizeof expected, "volume above %.4g", enclosed_volume(by_value)[bin]);
-  EXPECT_PRED2(ends_with, told("volume above"), expected);
+  EXPECT_PRED2(ends_with, told("volume"), expected);
   Visibility visibility{{0, 100}, std::vector<double>(10, 0.01), std::vector<double>(10)};
   visibility.surface[6] = 0.3;
   inputs.visibility = &visibility;
   EXPECT_PRED2(ends_with, told("visibility"), "77.5 % of the picture");
 }
+
+constexpr ImU32 surface_column = IM_COL32(70, 112, 150, 255);
 
 /// Whether something is drawn in the plot's columns, in a colour: how many vertices have it.
 int vertices_of(ImU32 color) {
@@ -110,19 +112,20 @@ int vertices_of(ImU32 color) {
 TEST_F(ValueCurves, EachIsDrawnOrSaysWhyNot) {
   Visibility visibility{{0, 100}, std::vector<double>(10, 0.01), std::vector<double>(10)};
   inputs.visibility = &visibility;
-  const char* const curves[] = {"values",          "values, log",  "visibility",
-                                "visibility, log", "surface area", "surface area, log",
-                                "mean gradient",   "volume above", "volume above, log"};
+  visibility.surface[6] = 0.3;
+  const char* const curves[] = {"values",    "values, log", "visibility", "visibility, log", "area",
+                                "area, log", "gradient",    "volume",     "volume, log"};
   int expected = 1;  // in the order of the box
   for (const char* curve : curves) {
     choose(curve);
     EXPECT_EQ(int(state->editor.value_curve), expected++) << curve;
     EXPECT_GT(vertices_of(palette::histogram), 20) << curve;
+    EXPECT_EQ(vertices_of(surface_column) > 0, is_visibility(state->editor.value_curve)) << curve;
   }
   choose("no curve");
   EXPECT_EQ(vertices_of(palette::histogram), 0);
   inputs.by_value = nullptr;
-  choose("mean gradient");
+  choose("gradient");
   EXPECT_EQ(vertices_of(palette::histogram), 0);
   inputs.visibility = nullptr;
   choose("visibility");
