@@ -18,6 +18,7 @@
 #include "render/scene/camera.h"
 #include "render/scene/exact.h"
 #include "render/scene/export_input.h"
+#include "ui/studio_state.h"
 
 namespace crest {
 namespace {
@@ -93,7 +94,17 @@ void Studio::cancel_loading() {
   document_.volume_source = loaded_.source;
 }
 
+void Studio::carry_over(CarryBy by) {
+  if (!last_volume_ || !loaded_.volume) return;
+  TransferFunction& tf = document_.preset.transfer_function;
+  tf = last_volume_->carried_to(loaded_.volume->statistics.range, matters_.values(), by, tf.domain);
+  ui_->editor.visible.reset();
+  say(fmt::format("Carried over from {}", last_volume_->name));
+}
+
 void Studio::show(Loaded fresh) {
+  if (!loading_for_document_ && loaded_.volume)
+    last_volume_ = last_volume(*loaded_.volume, document_.preset.transfer_function, matters_.values());
   Preset preset = document_.preset;
   if (fit_) preset = fit_(std::move(preset), *fresh.volume, view_aspect_);
   views_.renderer().hold(fresh.volume);  // the driver must hold it, too
@@ -107,8 +118,9 @@ void Studio::show(Loaded fresh) {
   recent_.add(loaded_.source);
   const Volume& volume = *loaded_.volume;
   const glm::ivec3 dims = volume.grid.dims;
-  say(fmt::format("{}: {}x{}x{} {}{}{}", volume.name, dims.x, dims.y, dims.z, name_of(volume.file_type),
-                  volume.note.empty() ? "" : ", ", volume.note));
+  say(fmt::format("{}: {}x{}x{} {}{}{}{}", volume.name, dims.x, dims.y, dims.z, name_of(volume.file_type),
+                  volume.note.empty() ? "" : ", ", volume.note,
+                  last_volume_ ? "; Preset, Carry over fits the curve to it" : ""));
 }
 
 void Studio::take_loaded_volume() {
@@ -230,6 +242,7 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.open_preset) open_preset(*requests.open_preset, requests.take);
   if (requests.import_choice) take_import(*requests.import_choice);
   if (requests.export_preset) export_to(*requests.export_preset);
+  if (requests.carry) carry_over(*requests.carry);
   if (requests.save_preset) save_preset_to(*requests.save_preset);
   if (requests.cancel_loading) cancel_loading();
   if (requests.open_volume) start_loading(*requests.open_volume);
@@ -262,11 +275,15 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.resolved = scene.tf;
   inputs.peaks = classification.peaks;
   inputs.surfaces = classification.surfaces;
-  inputs.by_value = matters_.by_value();
-  inputs.suggested = matters_.suggested();
+  if (const VolumeValues* values = matters_.values()) {
+    inputs.by_value = &values->by_value;
+    inputs.suggested = values->suggested;
+  }
+  if (last_volume_)
+    inputs.carry_over = CarryOver{last_volume_->name, last_volume_->distribution && matters_.values()};
   inputs.visibility = matters_.visibility();
   inputs.visibility_is_old = matters_.is_visibility_old();
-  inputs.why_no_by_value = matters_.why_no_by_value();
+  inputs.why_no_values = matters_.why_no_values();
   inputs.why_no_visibility = matters_.why_no_visibility();
   return inputs;
 }

@@ -10,6 +10,7 @@
 #include "app/background_choice.h"
 #include "app/background_sweep.h"
 #include "app/export_picture.h"
+#include "app/last_volume.h"
 #include "app/recent_files.h"
 #include "app/view_renderer.h"
 #include "app/volume_loader.h"
@@ -75,6 +76,7 @@ class Studio {
   SweepSubject choice_subject(glm::ivec2 size) const;
   void take_choice();
   void update_choice(const StudioRequests& requests);
+  void carry_over(CarryBy by);
   void update_matters(const StudioRequests& requests, bool interactive);
   glm::ivec2 own_view(const StudioRequests& requests) const;
   std::array<ViewRequest, view_count> view_requests(const StudioRequests& requests) const;
@@ -91,6 +93,7 @@ class Studio {
   BackgroundSweep sweep_;
   BackgroundChoice choice_;
   WhatMatters matters_;
+  std::optional<LastVolume> last_volume_;
   std::vector<Imported> imported_;  ///< from imported_from_, while the person chooses
   std::string imported_from_;
   TfParts import_take_ = TfParts::both;  ///< as the file was opened

@@ -27,19 +27,25 @@ bool is_same(const std::optional<VisibilitySubject>& a, const std::optional<Visi
 
 }  // namespace
 
+std::optional<VolumeValues> measure_values(const Volume& volume, const std::stop_token& stop) {
+  std::optional<ByValue> by_value = measure_by_value(volume, by_value_bins, stop);
+  if (!by_value) return std::nullopt;
+  std::vector<SuggestedPeak> suggested = suggest_peaks(*by_value);
+  return VolumeValues{std::move(*by_value), std::move(suggested), distribution_of(volume)};
+}
+
 glm::ivec2 visibility_size(glm::ivec2 view_pixels) {
   const double scale = rays_aside / std::max({view_pixels.x, view_pixels.y, 1});
   const auto side = [&](int pixels) { return std::max(1, int(std::lround(pixels * scale))); };
   return {side(view_pixels.x), side(view_pixels.y)};
 }
 
-WhatMatters::WhatMatters(ByValueTask::Work measure_volume, VisibilityTask::Work measure_picture)
+WhatMatters::WhatMatters(VolumeTask::Work measure_volume, VisibilityTask::Work measure_picture)
     : volume_task_(std::move(measure_volume)), picture_task_(std::move(measure_picture)) {}
 
 void WhatMatters::set_volume(std::shared_ptr<const Volume> volume) {
-  by_value_.reset();
-  suggested_.clear();
-  why_no_by_value_.clear();
+  values_.reset();
+  why_no_values_.clear();
   visibility_.reset();
   shown_.reset();
   volume_task_.start(std::move(volume));
@@ -62,9 +68,8 @@ void WhatMatters::update(std::optional<VisibilitySubject> picture, bool at_rest,
 
 void WhatMatters::take() {
   if (auto outcome = volume_task_.take()) {
-    by_value_ = std::move(outcome->result);
-    if (by_value_) suggested_ = suggest_peaks(*by_value_);
-    why_no_by_value_ = outcome->error;
+    values_ = std::move(outcome->result);
+    why_no_values_ = outcome->error;
   }
   if (auto outcome = picture_task_.take()) {
     why_no_visibility_ = outcome->error;
@@ -87,7 +92,6 @@ bool WhatMatters::has_news(Clock::time_point now) const {
   return volume_task_.has_news() || picture_task_.has_news() || (is_pending() && now >= changed_at_ + pause);
 }
 
-const ByValue* WhatMatters::by_value() const { return by_value_ ? &*by_value_ : nullptr; }
 const Visibility* WhatMatters::visibility() const { return visibility_ ? &*visibility_ : nullptr; }
 bool WhatMatters::is_visibility_old() const { return !is_same(shown_, wanted_); }
 

@@ -3,16 +3,25 @@
 #include <chrono>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "app/background_task.h"
 #include "render/reference/visibility.h"
 #include "render/volume/by_value.h"
+#include "render/volume/match_values.h"
 #include "render/volume/suggested_peaks.h"
 
 namespace crest {
+
+/// What is measured of a volume, once.
+struct VolumeValues {
+  ByValue by_value;
+  std::vector<SuggestedPeak> suggested;
+  ValueDistribution distribution;
+};
+/// Nothing when it was stopped.
+std::optional<VolumeValues> measure_values(const Volume& volume, const std::stop_token& stop);
 
 /// A picture whose visibility by value is asked for.
 struct VisibilitySubject {
@@ -32,11 +41,11 @@ class WhatMatters {
   /// So long after the last change of the picture its visibility is measured.
   static constexpr std::chrono::milliseconds pause{500};
 
-  using ByValueTask = BackgroundTask<std::shared_ptr<const Volume>, ByValue>;
+  using VolumeTask = BackgroundTask<std::shared_ptr<const Volume>, VolumeValues>;
   using VisibilityTask = BackgroundTask<VisibilitySubject, Visibility>;
   explicit WhatMatters(
-      ByValueTask::Work measure_volume =
-          [](const auto& volume, const auto& stop) { return measure_by_value(*volume, by_value_bins, stop); },
+      VolumeTask::Work measure_volume = [](const auto& volume,
+                                           const auto& stop) { return measure_values(*volume, stop); },
       VisibilityTask::Work measure_picture =
           [](const auto& subject, const auto& stop) {
             return measure_visibility(subject.scene, subject.camera, subject.size, visibility_bins, stop);
@@ -51,27 +60,25 @@ class WhatMatters {
 
   bool is_active() const;                      ///< something may come soon
   bool has_news(Clock::time_point now) const;  ///< take() has something, or update() would begin
-  const ByValue* by_value() const;             ///< null while it is not there
-  std::span<const SuggestedPeak> suggested() const { return suggested_; }
-  const Visibility* visibility() const;  ///< null while there is none
-  bool is_visibility_old() const;        ///< of another picture than the present one
-  const std::string& why_no_by_value() const { return why_no_by_value_; }
+  const VolumeValues* values() const { return values_ ? &*values_ : nullptr; }  ///< null while not there
+  const Visibility* visibility() const;                                         ///< null while there is none
+  bool is_visibility_old() const;  ///< of another picture than the present one
+  const std::string& why_no_values() const { return why_no_values_; }
   const std::string& why_no_visibility() const { return why_no_visibility_; }
 
  private:
   bool is_pending() const;
 
-  ByValueTask volume_task_;
+  VolumeTask volume_task_;
   VisibilityTask picture_task_;
-  std::optional<ByValue> by_value_;
-  std::vector<SuggestedPeak> suggested_;
+  std::optional<VolumeValues> values_;
 
   std::optional<VisibilitySubject> wanted_;  ///< as update() told last
   std::optional<VisibilitySubject> begun_;   ///< of the measurement that began last
   std::optional<Visibility> visibility_;
   std::optional<VisibilitySubject> shown_;  ///< of visibility_
   Clock::time_point changed_at_;            ///< when `wanted_` came to differ from what it was
-  std::string why_no_by_value_, why_no_visibility_;
+  std::string why_no_values_, why_no_visibility_;
 };
 
 }  // namespace crest

@@ -85,7 +85,7 @@ std::vector<float> heights_of(const std::vector<double>& values, double most, Va
 /// Why there is no curve yet, or will be none.
 std::string why_empty(const EditorState& editor, const StudioInputs& inputs) {
   const std::string& why =
-      is_visibility(editor.value_curve) ? inputs.why_no_visibility : inputs.why_no_by_value;
+      is_visibility(editor.value_curve) ? inputs.why_no_visibility : inputs.why_no_values;
   return why.empty() ? "measuring ..." : why;
 }
 

@@ -58,6 +58,32 @@ TEST_F(Data, InfoByValue) {
   EXPECT_FALSE(json_of({"info", "builtin:vessels?n=32", "--suggest-peaks"})["suggested_peaks"].empty());
 }
 
+TEST_F(Data, MatchCarriesAPresetOver) {
+  // Twice the values: what is in data values is doubled, what is over the range stays
+  const std::string from = "builtin:linear?n=33", to = "builtin:linear?n=33&a=2&b=1&c=0.5";
+  const std::string preset = write("data.json", R"({"format": "crest-preset", "version": 1,
+    "transfer_function": {"points": [{"value": -1, "color": [1, 0, 0], "opacity": 0},
+                                     {"value": 0.3, "color": [1, 0, 0], "opacity": 0.5}]}})");
+  for (const char* by : {"histogram", "range"}) {
+    const auto said =
+        json_of({"match", preset, "--from", from, "--to", to, "-o", path("out.json"), "--by", by, "--json"});
+    EXPECT_NEAR(said["values"][1]["to"], 0.6, 1e-3) << by;
+    const TransferFunction tf = load_preset(path("out.json")).transfer_function;
+    EXPECT_EQ(tf.domain, Domain::data);
+    EXPECT_NEAR(tf.points[0].value, -2, 1e-3) << by;
+    EXPECT_EQ(tf.points[1].value, said["values"][1]["to"]) << by;
+  }
+  run({"match", "four-peaks", "--from", from, "--to", to, "-o", path("out.json")});
+  const TransferFunction before = load_preset("four-peaks").transfer_function,
+                         after = load_preset(path("out.json")).transfer_function;
+  EXPECT_EQ(after.domain, before.domain);
+  for (std::size_t i = 0; i < before.points.size(); ++i)
+    EXPECT_NEAR(after.points[i].value, before.points[i].value, 1e-3) << i;
+  expect_error(2, {"match", "four-peaks", "--from", from, "-o", path("x.json")}, {"--to"});
+  expect_error(1, {"match", "four-peaks", "--from", from, "--to", "none.nrrd", "-o", path("x.json")},
+               {"none.nrrd"});
+}
+
 TEST_F(Data, InfoOfARawFile) {
   std::string bytes;
   for (int i = 0; i < 24; ++i) bytes += {char(0), char(i)};

@@ -48,9 +48,9 @@ class WhatMattersTest : public ::testing::Test {
   FakeWork volume_work, picture_work;
   VisibilitySubject subject;
   WhatMatters::Clock::time_point now = WhatMatters::Clock::now();
-  WhatMatters matters{[this](const auto& volume, const auto& stop) -> std::optional<ByValue> {
+  WhatMatters matters{[this](const auto& volume, const auto& stop) -> std::optional<VolumeValues> {
                         if (!volume_work.wait(stop)) return std::nullopt;
-                        return measure_by_value(*volume, 16);
+                        return measure_values(*volume, {});
                       },
                       [this](const VisibilitySubject& s, const auto& stop) -> std::optional<Visibility> {
                         if (!picture_work.wait(stop)) return std::nullopt;
@@ -69,11 +69,11 @@ TEST_F(WhatMattersTest, AVolumeIsMeasuredOnceAndAnotherOneStopsIt) {
   while (volume_work.begun < 2) std::this_thread::sleep_for(1ms);
   EXPECT_EQ(volume_work.stopped, 1);
   matters.take();
-  EXPECT_EQ(matters.by_value(), nullptr);
+  EXPECT_EQ(matters.values(), nullptr);
   volume_work.goes_on = false;
   settle();
-  ASSERT_NE(matters.by_value(), nullptr);
-  EXPECT_EQ(matters.by_value()->range, other->statistics.range);
+  ASSERT_NE(matters.values(), nullptr);
+  EXPECT_EQ(matters.values()->by_value.range, other->statistics.range);
   EXPECT_FALSE(matters.is_active());
   EXPECT_FALSE(matters.has_news(now + 1h));
 }
@@ -82,7 +82,7 @@ TEST_F(WhatMattersTest, AFailureIsTold) {
   volume_work.fails = picture_work.fails = true;
   matters.set_volume(subject.scene.volume);
   settle();
-  EXPECT_EQ(matters.why_no_by_value(), "no luck");
+  EXPECT_EQ(matters.why_no_values(), "no luck");
   update_after_pause();
   settle();
   update();

@@ -132,5 +132,33 @@ TEST_F(ValueCurves, EachIsDrawnOrSaysWhyNot) {
   EXPECT_EQ(vertices_of(palette::histogram), 0);
 }
 
+TEST_F(ValueCurves, TheCurveOfTheLastVolumeIsCarriedOverFromTheMenu) {
+  click("menu/Preset");
+  frames(2);
+  EXPECT_FALSE(has("menu/Carry over")) << "there was no other volume";
+  key_of(ImGuiKey_Escape);
+  inputs.carry_over = CarryOver{"tooth", true};
+  const auto carry = [&](const std::string& how) {
+    click("menu/Preset");
+    frames(2);
+    click("menu/Carry over");
+    frames(2);
+    move_to(center_of(how));
+    press();
+    release();
+    const std::optional<CarryBy> carried = requests.carry;
+    frames(2);
+    key_of(ImGuiKey_Escape);
+    key_of(ImGuiKey_Escape);
+    frames(2);
+    return carried;
+  };
+  EXPECT_EQ(carry("By histogram"), CarryBy::histogram);
+  EXPECT_EQ(carry("By range"), CarryBy::range);
+  EXPECT_EQ(carry("As values"), CarryBy::value);
+  inputs.carry_over->knows_values = false;
+  EXPECT_EQ(carry("By histogram"), std::nullopt) << "their values are still being counted";
+}
+
 }  // namespace
 }  // namespace crest::test
