@@ -59,6 +59,7 @@ int run_command_line(int argc, char** argv) {
   add_info_command(options, chosen);
   add_export_command(options, chosen);
   add_import_command(options, chosen);
+  add_match_command(options, chosen);
   add_list_command(options, chosen);
   try {
     if (const auto exit_code = line.read(argc, argv)) return *exit_code;

@@ -18,6 +18,7 @@ void add_peaks_command(Options app, Action& chosen);
 void add_info_command(Options app, Action& chosen);
 void add_export_command(Options app, Action& chosen);
 void add_import_command(Options app, Action& chosen);
+void add_match_command(Options app, Action& chosen);
 void add_list_command(Options app, Action& chosen);
 /// The studio is what runs without a command.
 void add_studio(Options app, Action& chosen);

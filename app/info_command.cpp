@@ -1,17 +1,46 @@
 #include <fmt/core.h>
 
 #include "app/commands.h"
+#include "presets/atomic_file.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
 #include "render/files/load.h"
+#include "render/volume/by_value.h"
+#include "render/volume/suggested_peaks.h"
 
 namespace crest {
 namespace {
 
 nlohmann::ordered_json triple(glm::dvec3 v) { return {v.x, v.y, v.z}; }
 
-void print_info(const std::string& source, int bins) {
-  const Volume volume = load_volume(source);
+struct InfoOptions {
+  std::string volume, by_value;  ///< where to; empty: not wanted
+  int bins = 32;
+  bool suggest_peaks = false, json = true;
+};
+
+std::string by_value_csv(const ByValue& by_value) {
+  std::string csv = "from,to,volume,surface_area,mean_gradient,enclosed_volume\n";
+  const std::vector<double> area = surface_area(by_value), mean = mean_gradient(by_value),
+                            above = enclosed_volume(by_value);
+  for (std::size_t i = 0; i < by_value.bins(); ++i) {
+    const double from = by_value.range.min + double(i) * by_value.bin_width();
+    csv += fmt::format("{},{},{},{},{},{}\n", from, from + by_value.bin_width(), by_value.volume[i], area[i],
+                       mean[i], above[i]);
+  }
+  return csv;
+}
+
+nlohmann::ordered_json suggestions(const ByValue& by_value) {
+  auto peaks = nlohmann::ordered_json::array();
+  for (const SuggestedPeak& peak : suggest_peaks(by_value))
+    peaks.push_back(
+        {{"value", peak.value}, {"mean_gradient", peak.gradient}, {"persistence", peak.persistence}});
+  return peaks;
+}
+
+void print_info(const InfoOptions& options) {
+  const Volume volume = load_volume(options.volume);
   const VolumeStatistics& statistics = volume.statistics;
   nlohmann::ordered_json json;
   json["name"] = volume.name;
@@ -27,25 +56,30 @@ void print_info(const std::string& source, int bins) {
   json["nan"] = statistics.nan_count;
   json["inf"] = statistics.inf_count;
   if (!volume.note.empty()) json["note"] = volume.note;
-  json["histogram"] = histogram_of(volume.values, statistics.range, bins);
+  json["histogram"] = histogram_of(volume.values, statistics.range, options.bins);
+  if (options.suggest_peaks || !options.by_value.empty()) {
+    const ByValue by_value = measure_by_value(volume).value();
+    if (!options.by_value.empty()) write_file_atomically(options.by_value, by_value_csv(by_value));
+    if (options.suggest_peaks) json["suggested_peaks"] = suggestions(by_value);
+  }
   fmt::print("{}", print_json(json));
 }
 
 }  // namespace
 
 void add_info_command(Options app, Action& chosen) {
-  struct InfoOptions {
-    std::string volume;
-    int bins = 32;
-    bool json = true;
-  };
   auto options = std::make_shared<InfoOptions>();
   Options command = app.add_command("info", "Print what a volume holds, as JSON");
   command.add("VOLUME", options->volume, "What to read (crest --help)").required();
   command.add("--bins", options->bins, "Bins of the histogram").in(1, 65536).shows_default();
+  command
+      .add("--by-value", options->by_value,
+           "Write surface area, mean gradient and enclosed volume by value to this CSV file")
+      .type_name("FILE.csv");
+  command.add_flag("--suggest-peaks", options->suggest_peaks,
+                   "Add the values at which the mean gradient is highest");
   command.add_flag("--json", options->json, "JSON is the only form there is");
-  command.when_read(
-      [options, &chosen] { chosen = [options] { print_info(options->volume, options->bins); }; });
+  command.when_read([options, &chosen] { chosen = [options] { print_info(*options); }; });
 }
 
 }  // namespace crest

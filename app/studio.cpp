@@ -18,6 +18,7 @@
 #include "render/scene/camera.h"
 #include "render/scene/exact.h"
 #include "render/scene/export_input.h"
+#include "ui/studio_state.h"
 
 namespace crest {
 namespace {
@@ -93,7 +94,17 @@ void Studio::cancel_loading() {
   document_.volume_source = loaded_.source;
 }
 
+void Studio::carry_over(CarryBy by) {
+  if (!last_volume_ || !loaded_.volume) return;
+  TransferFunction& tf = document_.preset.transfer_function;
+  tf = last_volume_->carried_to(loaded_.volume->statistics.range, matters_.values(), by, tf.domain);
+  ui_->editor.visible.reset();
+  say(fmt::format("Carried over from {}", last_volume_->name));
+}
+
 void Studio::show(Loaded fresh) {
+  if (!loading_for_document_ && loaded_.volume)
+    last_volume_ = last_volume(*loaded_.volume, document_.preset.transfer_function, matters_.values());
   Preset preset = document_.preset;
   if (fit_) preset = fit_(std::move(preset), *fresh.volume, view_aspect_);
   views_.renderer().hold(fresh.volume);  // the driver must hold it, too
@@ -102,12 +113,14 @@ void Studio::show(Loaded fresh) {
   if (was_saved) saved_ = document_.preset;
   fit_ = nullptr;
   loaded_ = std::move(fresh);
+  matters_.set_volume(loaded_.volume);
   if (!loading_for_document_) document_.volume_source = loaded_.source;
   recent_.add(loaded_.source);
   const Volume& volume = *loaded_.volume;
   const glm::ivec3 dims = volume.grid.dims;
-  say(fmt::format("{}: {}x{}x{} {}{}{}", volume.name, dims.x, dims.y, dims.z, name_of(volume.file_type),
-                  volume.note.empty() ? "" : ", ", volume.note));
+  say(fmt::format("{}: {}x{}x{} {}{}{}{}", volume.name, dims.x, dims.y, dims.z, name_of(volume.file_type),
+                  volume.note.empty() ? "" : ", ", volume.note,
+                  last_volume_ ? "; Preset, Carry over fits the curve to it" : ""));
 }
 
 void Studio::take_loaded_volume() {
@@ -240,6 +253,7 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.open_preset) open_preset(*requests.open_preset, requests.take);
   if (requests.import_choice) take_import(*requests.import_choice);
   if (requests.export_preset) export_to(*requests.export_preset);
+  if (requests.carry) carry_over(*requests.carry);
   if (requests.save_preset) save_preset_to(*requests.save_preset);
   if (requests.save_ray) save_ray_to(*requests.save_ray);
   if (requests.cancel_loading) cancel_loading();
@@ -276,6 +290,16 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.resolved = scene.tf;
   inputs.peaks = classification.peaks;
   inputs.surfaces = classification.surfaces;
+  if (const VolumeValues* values = matters_.values()) {
+    inputs.by_value = &values->by_value;
+    inputs.suggested = values->suggested;
+  }
+  if (last_volume_)
+    inputs.carry_over = CarryOver{last_volume_->name, last_volume_->distribution && matters_.values()};
+  inputs.visibility = matters_.visibility();
+  inputs.visibility_is_old = matters_.is_visibility_old();
+  inputs.why_no_values = matters_.why_no_values();
+  inputs.why_no_visibility = matters_.why_no_visibility();
   return inputs;
 }
 
@@ -353,23 +377,39 @@ void Studio::take_choice() {
   if (const auto chosen = choice_.take(choice_subject({1, 1}))) document_.preset.rendering = *chosen;
 }
 
-/// For the size of the view of the preset's own mode, or of another where that is not to be seen.
-void Studio::update_choice(const StudioRequests& requests) {
-  if (requests.stop_choosing) choice_.stop();
-  if (choice_.is_running() && loaded_.volume) choice_.update(choice_subject({1, 1}));
-  if (choice_.is_running()) sweep_.rest_until(BackgroundSweep::Clock::now() + quiet);
+/// The size of the view of the preset's own mode, or of another where that is not to be seen.
+glm::ivec2 Studio::own_view(const StudioRequests& requests) const {
   glm::ivec2 size{0};
   for (std::size_t i = 0; i < view_count; ++i)
     if (const glm::ivec2 view = requests.view_pixels[i];
         view.x > 0 && (size.x == 0 || requests.contents[i].mode == document_.preset.rendering.mode))
       size = view;
+  return size;
+}
+
+void Studio::update_choice(const StudioRequests& requests) {
+  if (requests.stop_choosing) choice_.stop();
+  if (choice_.is_running() && loaded_.volume) choice_.update(choice_subject({1, 1}));
+  if (choice_.is_running()) sweep_.rest_until(BackgroundSweep::Clock::now() + quiet);
+  const glm::ivec2 size = own_view(requests);
   if (requests.choose && loaded_.volume && size.x > 0)
     choice_.start(choice_subject(size), {.target = *requests.choose});
+}
+
+void Studio::update_matters(const StudioRequests& requests, bool interactive) {
+  std::optional<VisibilitySubject> picture;
+  const glm::ivec2 size = own_view(requests);
+  if (requests.show_visibility && loaded_.volume && size.x > 0)
+    picture = {make_scene(loaded_.volume, document_.preset),
+               camera_of(document_.preset, loaded_.volume->grid, aspect_of(size)), visibility_size(size)};
+  matters_.update(std::move(picture), !interactive && !is_drawing() && !is_loading(),
+                  WhatMatters::Clock::now());
 }
 
 void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   take_loaded_volume();
   take_choice();
+  matters_.take();
   StudioInputs shown;
   try {
     shown = inputs(close_requested);
@@ -401,6 +441,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   update_rays(requests, interactive);
   update_sweep(requests, interactive);
   update_choice(requests);
+  update_matters(requests, interactive);
   if (const std::string& error = views_.renderer().resources().programs.error(); !error.empty())
     say(error, true);
 }

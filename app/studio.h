@@ -10,11 +10,13 @@
 #include "app/background_choice.h"
 #include "app/background_sweep.h"
 #include "app/export_picture.h"
+#include "app/last_volume.h"
 #include "app/ray_inspector.h"
 #include "app/recent_files.h"
 #include "app/view_difference.h"
 #include "app/view_renderer.h"
 #include "app/volume_loader.h"
+#include "app/what_matters.h"
 #include "ui/studio.h"
 
 namespace crest {
@@ -44,8 +46,11 @@ class Studio {
   }                                            ///< a view, or the inspected ray, is not done
   bool animates() const { return animates_; }  ///< the window changes by itself, each blink_s
   /// Something of the measurement in the background may come up soon, has come up.
-  bool is_measuring() const { return sweep_.is_active() || choice_.is_running(); }
-  bool has_news() const { return sweep_.has_news(BackgroundSweep::Clock::now()) || choice_.has_news(); }
+  bool is_measuring() const { return sweep_.is_active() || choice_.is_running() || matters_.is_active(); }
+  bool has_news() const {
+    const auto now = BackgroundSweep::Clock::now();
+    return sweep_.has_news(now) || choice_.has_news() || matters_.has_news(now);
+  }
   std::string title() const;
   const Document& document() const { return document_; }
   const StudioState& ui_state() const { return *ui_; }
@@ -81,6 +86,9 @@ class Studio {
   void update_rays(const StudioRequests& requests, bool interactive);
   void save_ray_to(const std::filesystem::path& path);
   void update_difference(const StudioRequests& requests);
+  void carry_over(CarryBy by);
+  void update_matters(const StudioRequests& requests, bool interactive);
+  glm::ivec2 own_view(const StudioRequests& requests) const;
 
   Document document_;
   Preset saved_;  ///< as the file has it
@@ -97,6 +105,8 @@ class Studio {
   bool animates_ = false;
   BackgroundSweep sweep_;
   BackgroundChoice choice_;
+  WhatMatters matters_;
+  std::optional<LastVolume> last_volume_;
   std::vector<Imported> imported_;  ///< from imported_from_, while the person chooses
   std::string imported_from_;
   TfParts import_take_ = TfParts::both;  ///< as the file was opened

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ui/plot_interaction.h"
+#include "ui/value_curves.h"
 
 namespace crest {
 namespace {
@@ -35,10 +36,7 @@ bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widg
   if (number_field(widgets, "##peak width", width, {0, infinity}, scaled(70))) editor.new_peak_width = width;
   tip("Width of a new peak, in values; 0 makes a true spike");
   ImGui::SameLine();
-  static constexpr std::string_view scales[] = {"no histogram", "linear hist.", "log hist."};
-  int scale = int(editor.histogram_scale);
-  if (choice(widgets, "##histogram", scale, scales, scaled(98)))
-    editor.histogram_scale = HistogramScale(scale);
+  value_curve_choice(editor, widgets);
   ImGui::SameLine();
   ImGui::Checkbox("log opacity", &editor.opacity_axis.logarithmic);
   note_item(widgets, "log opacity");

@@ -11,7 +11,19 @@
 
 namespace crest {
 
-enum class HistogramScale { off, linear, logarithmic };
+/// What lies behind the transfer function: a histogram, or what else there is by value (value_curves.h).
+enum class ValueCurve {
+  none,
+  values,
+  log_values,
+  visibility,
+  log_visibility,
+  area,
+  log_area,
+  gradient,
+  enclosed,
+  log_enclosed
+};
 
 /// What the mouse is dragging in the editor's plot.
 struct EditorDrag {
@@ -29,7 +41,8 @@ struct EditorState {
   Selection selection;
   std::optional<ValueRange> visible;  ///< the part of the axis in sight; without it, all
   OpacityAxis opacity_axis;
-  HistogramScale histogram_scale = HistogramScale::logarithmic;
+  ValueCurve value_curve = ValueCurve::log_values;
+  bool suggestions = true;               ///< marks of the peaks that the volume suggests
   std::optional<double> new_peak_width;  ///< in the TF's values; without it, a share of what is in sight
   bool peak_rule = false;                ///< the row of fields that say what a peak is
   EditorDrag drag;

@@ -115,6 +115,20 @@ bool color_map_menu(Document& document, StudioState& state, const StudioInputs& 
   return changed;
 }
 
+/// Each is of the TF as it was when the other volume was there, so that one can be tried after the other.
+void carry_menu(StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+  if (!inputs.carry_over || !menu(state, "Carry over")) return;
+  ImGui::TextDisabled("the curve made for %s", inputs.carry_over->from.c_str());
+  if (item(state, "By histogram", nullptr, inputs.carry_over->knows_values))
+    requests.carry = CarryBy::histogram;
+  tip("A value goes to that with as many voxels below it");
+  if (item(state, "By range")) requests.carry = CarryBy::range;
+  tip("Least to least, greatest to greatest value");
+  if (item(state, "As values")) requests.carry = CarryBy::value;
+  tip("The same numbers");
+  ImGui::EndMenu();
+}
+
 bool preset_menu(Document& document, StudioState& state, const StudioInputs& inputs,
                  StudioRequests& requests) {
   if (!menu(state, "Preset")) return false;
@@ -129,6 +143,7 @@ bool preset_menu(Document& document, StudioState& state, const StudioInputs& inp
   if (item(state, "Export...", "Ctrl+E")) state.export_dialog.asked = true;
   ImGui::Separator();
   changed |= color_map_menu(document, state, inputs);
+  carry_menu(state, inputs, requests);
   const bool normalized = document.preset.transfer_function.domain == Domain::normalized;
   if (item(state, "Fit to the volume's range", nullptr, inputs.volume != nullptr))
     changed |= fit_to_volume(document, state, *inputs.volume);
@@ -187,6 +202,9 @@ bool view_menu(Document& document, StudioState& state, StudioRequests& requests)
   bool changed = false;
   if (item(state, "Reset view", "R")) changed |= reset_view(document, state);
   ImGui::MenuItem("Outline and axes", nullptr, &state.views.outline);
+  ImGui::MenuItem("Suggested peaks", nullptr, &state.editor.suggestions);
+  note_item(state.widgets, "Suggested peaks");
+  tip("Marks on the value axis where the volume's mean gradient is highest");
   if (ImGui::MenuItem("Exact at rest", "X", state.views.exact)) toggle_exact(state.views);
   note_item(state.widgets, "Exact at rest");
   tip("When nothing moves, each view goes on to the exact picture of its mode.\n"

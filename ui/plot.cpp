@@ -144,28 +144,22 @@ void draw_axes(ImDrawList& list, const Plot& plot) {
   draw_value_axis(list, plot);
 }
 
-void draw_histogram(ImDrawList& list, const Plot& plot, const HistogramCache& histogram, HistogramScale scale,
-                    ValueMap to_domain) {
-  if (scale == HistogramScale::off || histogram.counts.empty() || histogram.largest == 0) return;
-  const auto share = [&](std::uint64_t count) {
-    const double n = double(count), most = double(histogram.largest);
-    return scale == HistogramScale::linear ? n / most : std::log1p(n) / std::log1p(most);
-  };
-  const double columns = double(histogram.counts.size());
-  const float height = (plot.high.y - plot.low.y) * 0.94F;
-  const glm::dvec3 color = glm::dvec3(54, 62, 76) / 255.0;
+void draw_columns(ImDrawList& list, const Plot& plot, ValueRange range, std::span<const float> heights,
+                  glm::dvec3 color, double alpha, ValueMap to_domain) {
+  const double columns = double(heights.size());
+  const float height = (plot.high.y - plot.low.y) * column_share;
   std::vector<CurveVertex> outline;
-  outline.reserve(histogram.counts.size() * 2);
-  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
-    const double from = histogram.range.min + histogram.range.width() * double(i) / columns;
-    const double to = histogram.range.min + histogram.range.width() * double(i + 1) / columns;
+  outline.reserve(heights.size() * 2);
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const double from = range.min + range.width() * double(i) / columns;
+    const double to = range.min + range.width() * double(i + 1) / columns;
     const float left = plot.x_of(to_domain(from)), right = plot.x_of(to_domain(to));
     if (right < plot.low.x || left > plot.high.x) continue;
-    const float y = plot.high.y - float(share(histogram.counts[i])) * height;
+    const float y = plot.high.y - heights[i] * height;
     outline.push_back({{left, y}, color});
     outline.push_back({{std::max(right, left + 1), y}, color});
   }
-  fill_below(list, plot.high.y, outline, 1);
+  fill_below(list, plot.high.y, outline, alpha);
 }
 
 void draw_curve(ImDrawList& list, const Plot& plot, const TransferFunction& tf) {

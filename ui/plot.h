@@ -30,13 +30,16 @@ std::optional<std::size_t> point_near(const Plot& plot, std::span<const ControlP
 
 /// Background, grid, and the labels of both axes.
 void draw_axes(ImDrawList& list, const Plot& plot);
-/// The counts as one filled shape; `to_domain` maps the volume's values to the axis: v -> offset + scale * v.
+/// A map from the volume's values to the axis: v -> offset + scale * v.
 struct ValueMap {
   double offset = 0, scale = 1;
   double operator()(double v) const { return offset + scale * v; }
 };
-void draw_histogram(ImDrawList& list, const Plot& plot, const HistogramCache& histogram, HistogramScale scale,
-                    ValueMap to_domain);
+/// How high a column of height 1 is, as a share of the plot's height.
+inline constexpr float column_share = 0.94F;
+/// Equal columns over a range of the volume's values as one filled shape.
+void draw_columns(ImDrawList& list, const Plot& plot, ValueRange range, std::span<const float> heights,
+                  glm::dvec3 color, double alpha, ValueMap to_domain);
 /// The curve, and the area under it in the TF's colours.
 void draw_curve(ImDrawList& list, const Plot& plot, const TransferFunction& tf);
 /// A stem and a diamond for each peak, filled when it is shown as a surface, and its value where there is

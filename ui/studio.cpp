@@ -17,6 +17,7 @@
 #include "ui/status_bar.h"
 #include "ui/style.h"
 #include "ui/transfer_function_editor.h"
+#include "ui/value_curves.h"
 #include "ui/views_panel.h"
 
 namespace crest {
@@ -181,6 +182,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   import_dialog(state, inputs, requests);
   file_question(state, requests);
   help_window(state);
+  requests.show_visibility = is_visibility(state.editor.value_curve);
   if (!ImGui::IsAnyItemActive()) state.widgets.typed.clear();
   if (!is_editing(state)) state.history.record(document);
   return requests;

@@ -12,7 +12,11 @@
 
 #include "presets/exchange/importers.h"
 #include "presets/peaks.h"
+#include "render/reference/visibility.h"
 #include "render/scene/picture_need.h"
+#include "render/volume/by_value.h"
+#include "render/volume/match_values.h"
+#include "render/volume/suggested_peaks.h"
 #include "render/volume/volume.h"
 #include "ui/accuracy_results.h"
 #include "ui/choice_results.h"
@@ -53,6 +57,12 @@ struct ExportPicture {
   double rmse = 0, max = 0, share = 0;  ///< as PixelErrors
 };
 
+/// The volume that was there before this one, whose TF can be carried over.
+struct CarryOver {
+  std::string from;           ///< its name
+  bool knows_values = false;  ///< of both volumes, as carrying by histogram needs them
+};
+
 /// What the program tells the panels: results, read only.
 struct StudioInputs {
   const Volume* volume = nullptr;  ///< null while none is open
@@ -63,10 +73,16 @@ struct StudioInputs {
   const RayInspection* ray = nullptr;  ///< as it was asked for; null while nothing of it is there
   std::optional<PickedPixel> picked;   ///< under the mouse, when it rests
   DifferencePicture difference;        ///< of the two pictures that are compared, where that was asked for
-  const AccuracyResults* accuracy = nullptr;  ///< null while nothing was ever measured
-  const ChoiceResults* choice = nullptr;      ///< null while nothing was ever chosen
-  std::string loading;                        ///< the volume that is being read; empty while none is
-  std::string message;                        ///< the last news or error, one line
+  const ByValue* by_value = nullptr;   ///< of the volume; null while it is not measured
+  std::span<const SuggestedPeak> suggested;      ///< by it, the most persistent first
+  const Visibility* visibility = nullptr;        ///< null while it was never measured
+  bool visibility_is_old = false;                ///< of a scene or a view that is no longer there
+  std::string why_no_values, why_no_visibility;  ///< where there can be none
+  std::optional<CarryOver> carry_over;           ///< while there was another volume
+  const AccuracyResults* accuracy = nullptr;     ///< null while nothing was ever measured
+  const ChoiceResults* choice = nullptr;         ///< null while nothing was ever chosen
+  std::string loading;                           ///< the volume that is being read; empty while none is
+  std::string message;                           ///< the last news or error, one line
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
   std::string performance;          ///< e.g. frame times, for the status bar
@@ -111,6 +127,8 @@ struct StudioRequests {
   std::string problem;                ///< with what the person asked for, which the panels found themselves
   bool animates = false;              ///< something in the window changes by itself, at blink_s
   bool document_changed = false;      ///< by this frame: an edit, undo or redo
+  std::optional<CarryBy> carry;       ///< the TF that was there with the last volume, to this one
+  bool show_visibility = false;       ///< as long as it is to be seen
   std::optional<bool> measure;        ///< switches the measurement in the background on or off
   std::optional<TargetError> choose;  ///< a setting that keeps this error
   bool stop_choosing = false;

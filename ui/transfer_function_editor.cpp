@@ -10,6 +10,7 @@
 #include "ui/plot_interaction.h"
 #include "ui/plot_menu.h"
 #include "ui/style.h"
+#include "ui/value_curves.h"
 
 namespace crest {
 namespace {
@@ -20,11 +21,6 @@ ValueMap data_to_domain(const TransferFunction& tf, ValueRange data) {
   if (tf.domain == Domain::data) return {};
   const double width = data.width() > 0 ? data.width() : 1;
   return {-data.min / width, 1 / width};
-}
-
-ValueRange in_data(ValueMap to_domain, ValueRange visible) {
-  return {(visible.min - to_domain.offset) / to_domain.scale,
-          (visible.max - to_domain.offset) / to_domain.scale};
 }
 
 Plot make_plot(const EditorState& editor, ImVec2 corner, ImVec2 size, ValueRange visible) {
@@ -43,13 +39,11 @@ void draw_plot(const TransferFunction& tf, EditorState& editor, const Plot& plot
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_axes(list, plot);
   list.PushClipRect(plot.low, plot.high, true);
-  if (inputs.volume && editor.histogram_scale != HistogramScale::off) {
-    const ValueMap to_domain = data_to_domain(tf, inputs.volume->statistics.range);
-    update_histogram(editor.histogram, *inputs.volume, in_data(to_domain, plot.axis.visible));
-    draw_histogram(list, plot, editor.histogram, editor.histogram_scale, to_domain);
-  }
+  const ValueMap to_domain = data_to_domain(tf, volume_range(inputs.volume));
+  draw_value_curve(list, plot, editor, inputs, to_domain);
   draw_curve(list, plot, tf);
   draw_peaks(list, plot, tf, inputs.peaks);
+  draw_suggested_peaks(list, editor, inputs, plot, to_domain);
   list.PopClipRect();
   list.AddRect(plot.low, plot.high, palette::frame);
   const float margin = scaled(8);
@@ -120,8 +114,16 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
     const ImVec2 at = plot.place(tf.points[i]);
     state.widgets.items[fmt::format("point/{}", i)] = {at, at};
   }
-  changed |= handle_plot_mouse(tf, editor, plot, whole);
-  if (ImGui::IsItemHovered()) state.under_cursor = place_text(tf, plot);
+  const ValueMap to_domain = data_to_domain(tf, volume_range(inputs.volume));
+  if (suggested_peak_clicked(tf, state, inputs, plot, to_domain))
+    changed = true;
+  else
+    changed |= handle_plot_mouse(tf, editor, plot, whole);
+  if (ImGui::IsItemHovered()) {
+    const double value = plot.axis.value_at(ImGui::GetIO().MousePos.x);
+    state.under_cursor = place_text(tf, plot) + "   " +
+                         value_curve_text(editor, inputs, (value - to_domain.offset) / to_domain.scale);
+  }
   const bool keys_are_free = !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() &&
                              !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   if (keys_are_free) {

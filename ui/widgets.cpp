@@ -113,7 +113,8 @@ bool choice(WidgetState& state, const char* name, int& value, std::span<const st
   const auto text_of = [&](std::size_t i) { return std::string(names[i]); };
   const std::size_t now = std::size_t(value);
   ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo(name, now < names.size() ? text_of(now).c_str() : "");
+  const bool open =
+      ImGui::BeginCombo(name, now < names.size() ? text_of(now).c_str() : "", ImGuiComboFlags_HeightLarge);
   note_item(state, name);
   if (!open) return false;
   for (std::size_t i = 0; i < names.size(); ++i) {

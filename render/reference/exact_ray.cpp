@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "render/classify/classification.h"
 #include "render/reference/reference.h"
 
 namespace crest {
@@ -19,9 +18,7 @@ constexpr int pick_bins = 64;
 ExactRays::ExactRays(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer)
     : scene_(scene),
       camera_(camera),
-      fields_(reference::fields_of(scene_, answer)),
-      levels_(reference::levels_apart<double>(scene_, answer,
-                                              classify(scene_.tf, surface_range(scene_)).surfaces)),
+      solved_(reference::solved_scene<double>(scene_, answer, {}, true)),
       rays_(reference::pixel_rays(scene_.volume->grid, scene_.rendering.clip_box, camera, size)) {}
 
 ExactRay ExactRays::at(glm::ivec2 pixel) const {
@@ -33,9 +30,9 @@ ExactRay ExactRays::at(glm::ivec2 pixel) const {
   const glm::dvec3 entry = grid.origin + ray.inside->origin * grid.spacing;
   result.enter = glm::length(entry - camera_.eye);
   result.exit = result.enter + ray.inside->length * unit;
-  reference::RaySolver<double> solver(levels_.levels, default_tolerance);
+  reference::RaySolver<double> solver(solved_.levels.levels, default_tolerance);
   reference::trace_volume(
-      solver, fields_, levels_, default_tolerance, ray, parts_a_cell,
+      solver, solved_.fields, solved_.levels, default_tolerance, ray, parts_a_cell,
       [&](const reference::TracedPlace& place) {
         const auto& found = solver.collected();
         result.places.push_back({result.enter + place.length * unit, place.value, found.color, found.alpha,

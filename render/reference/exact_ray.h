@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/reference/scene_levels.h"
+#include "render/reference/solved_scene.h"
 #include "render/scene/camera.h"
 
 namespace crest {
@@ -41,8 +41,7 @@ class ExactRays {
  private:
   Scene scene_;  ///< keeps the volume
   Camera camera_;
-  reference::VolumeFields fields_;
-  reference::FieldLevels<double> levels_;
+  reference::SolvedScene<double> solved_;
   reference::PixelRays rays_;
 };
 

@@ -92,7 +92,8 @@ const LinearPiece<Real>* Levels<Real>::constant_within(Real low, Real high) cons
 }
 
 template <class Real>
-Levels<Real> make_levels(TransferFunction tf, std::span<const Peak> surfaces, double unit_length) {
+Levels<Real> make_levels(TransferFunction tf, std::span<const Peak> surfaces, double unit_length,
+                         std::span<const double> cuts) {
   Levels<Real> result;
   result.extinction_scale = Real(std::min(unit_length / tf.unit_distance, 1e30));
   for (ControlPoint& point : tf.points) point.value = double(Real(point.value));
@@ -102,6 +103,7 @@ Levels<Real> make_levels(TransferFunction tf, std::span<const Peak> surfaces, do
   std::vector<double> values;
   for (const ControlPoint& point : tf.points) values.push_back(point.value);
   for (const auto& surface : result.surfaces) values.push_back(double(surface.value));
+  for (const double cut : cuts) values.push_back(double(Real(cut)));
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
 
@@ -132,7 +134,9 @@ Levels<Real> make_levels(TransferFunction tf, std::span<const Peak> surfaces, do
 
 template struct Levels<double>;
 template struct Levels<float>;
-template Levels<double> make_levels<double>(TransferFunction, std::span<const Peak>, double);
-template Levels<float> make_levels<float>(TransferFunction, std::span<const Peak>, double);
+template Levels<double> make_levels<double>(TransferFunction, std::span<const Peak>, double,
+                                            std::span<const double>);
+template Levels<float> make_levels<float>(TransferFunction, std::span<const Peak>, double,
+                                          std::span<const double>);
 
 }  // namespace crest::reference

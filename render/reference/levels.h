@@ -62,8 +62,9 @@ struct Levels {
 };
 
 /// `tf` is resolved, `unit_length` is what lengths along the ray are measured in, in world units. The values
-/// are first rounded to Real.
+/// are first rounded to Real. `cuts` are further levels, at which nothing changes.
 template <class Real>
-Levels<Real> make_levels(TransferFunction tf, std::span<const Peak> surfaces, double unit_length);
+Levels<Real> make_levels(TransferFunction tf, std::span<const Peak> surfaces, double unit_length,
+                         std::span<const double> cuts = {});
 
 }  // namespace crest::reference

@@ -58,7 +58,7 @@ void RaySolver<Real>::add_clear() {
 template <class Real>
 void RaySolver<Real>::add_constant(const LinearPiece<Real>& linear, Real length) {
   begin_span();
-  composite(linear.color_low, -std::log1p(-linear.opacity_low) * levels_.extinction_scale * length);
+  composite(linear, linear.color_low, -std::log1p(-linear.opacity_low) * levels_.extinction_scale * length);
 }
 
 template <class Real>
@@ -172,7 +172,7 @@ Real RaySolver<Real>::composite_linear(const FieldPiece<Real, N>& piece, std::si
 
   const Real length = size * piece.length;
   if (linear.is_constant) {
-    composite(linear.color_low, -std::log1p(-linear.opacity_low) * levels_.extinction_scale * length);
+    composite(linear, linear.color_low, -std::log1p(-linear.opacity_low) * levels_.extinction_scale * length);
     return size;
   }
   Real fraction = rising ? Real(0) : Real(1);
@@ -209,8 +209,7 @@ void RaySolver<Real>::composite_panel(const Ramp<Real, N>& ramp, const LinearPie
                          difference <= std::sqrt(relative_tolerance) * double(absorbed);
     if (is_good || halvings == most_halvings) {
       const Vec3<Real> light = color * absorbed + (linear.color_high - linear.color_low) * fine.risen;
-      collected_.color += transmittance_ * light;
-      collected_.alpha += transmittance_ * absorbed;
+      collect(linear, light, absorbed);
       transmittance_ *= std::exp(-fine.depth);
       return;
     }
@@ -235,15 +234,21 @@ void RaySolver<Real>::composite_flat(Value<Real> value, Real length) {
     color = glm::mix(linear.color_low, linear.color_high, fraction);
     opacity = linear.opacity_low + (linear.opacity_high - linear.opacity_low) * fraction;
   }
-  composite(color, -std::log1p(-opacity) * levels_.extinction_scale * length);
+  composite(linear, color, -std::log1p(-opacity) * levels_.extinction_scale * length);
 }
 
 template <class Real>
-void RaySolver<Real>::composite(Vec3<Real> color, Real depth) {
+void RaySolver<Real>::composite(const LinearPiece<Real>& linear, Vec3<Real> color, Real depth) {
   const Real absorbed = -std::expm1(-depth);
-  collected_.color += transmittance_ * absorbed * color;
-  collected_.alpha += transmittance_ * absorbed;
+  collect(linear, absorbed * color, absorbed);
   transmittance_ *= std::exp(-depth);
+}
+
+template <class Real>
+void RaySolver<Real>::collect(const LinearPiece<Real>& linear, Vec3<Real> light, Real absorbed) {
+  collected_.color += transmittance_ * light;
+  collected_.alpha += transmittance_ * absorbed;
+  if (shares_) shares_->of_piece[std::size_t(&linear - levels_.pieces.data())] += transmittance_ * absorbed;
 }
 
 template <class Real>
@@ -261,6 +266,7 @@ template <class Real>
 void RaySolver<Real>::composite_surface(const CrossedSurface<Real>& surface) {
   collected_.color += transmittance_ * surface.opacity * surface.color;
   collected_.alpha += transmittance_ * surface.opacity;
+  if (shares_) shares_->of_surfaces.push_back({surface.value, transmittance_ * surface.opacity});
   transmittance_ *= 1 - surface.opacity;
   ++collected_.crossings;
 }

@@ -26,6 +26,16 @@ struct MetSurface {
   const CrossedSurface<Real>* surface = nullptr;
 };
 
+/// What of a ray's opacity comes from where: their sum is its alpha.
+template <class Real>
+struct Shares {
+  std::vector<Real> of_piece;  ///< of Levels::pieces
+  struct OfSurface {
+    Real value, alpha;
+  };
+  std::vector<OfSurface> of_surfaces;  ///< as they were crossed
+};
+
 /// Solves the volume rendering integral and the crossings along one ray, piece by piece from its front:
 ///
 ///   C = sum over monotone parts of T_0 * integral of c(f) rho(f) T ds,   T = exp(-integral of rho(f) ds),
@@ -55,6 +65,8 @@ class RaySolver {
   /// From now on the surfaces that a piece meets are added to `met`, in order, and not composited.
   void tell_surfaces(std::vector<MetSurface<Real>>& met) { met_ = &met; }
   void composite_surface(const CrossedSurface<Real>& surface);
+  /// From now on what is collected is also added to `shares`, whose `of_piece` has an entry for each.
+  void tell_shares(Shares<Real>& shares) { shares_ = &shares; }
   void note_grazing() { collected_.grazing = true; }
 
   /// Nothing behind shows: less than 1e-17 comes through.
@@ -83,7 +95,8 @@ class RaySolver {
   void composite_panel(const Ramp<Real, N>& ramp, const LinearPiece<Real>& linear, Vec3<Real> color, Real z0,
                        Real z1, int halvings);
   void composite_flat(Value<Real> value, Real length);
-  void composite(Vec3<Real> color, Real depth);
+  void composite(const LinearPiece<Real>& linear, Vec3<Real> color, Real depth);
+  void collect(const LinearPiece<Real>& linear, Vec3<Real> light, Real absorbed);
   void cross(const Level<Real>& level, bool rising, Real place);
   void enter_monotone(Value<Real> value, Trend trend, Real place, Real float_rounding);
   void note_grazing(Value<Real> value, Real float_rounding);
@@ -94,6 +107,7 @@ class RaySolver {
   Real transmittance_ = 1;
   Collected<Real> collected_;
   std::vector<MetSurface<Real>>* met_ = nullptr;  ///< where they are only told
+  Shares<Real>* shares_ = nullptr;
 
   Trend trend_ = Trend::unknown;  ///< of the last monotone part that counts
   bool knot_known_ = false;

@@ -9,11 +9,10 @@
 #include <mutex>
 
 #include "presets/error.h"
-#include "render/classify/classification.h"
 #include "render/reference/formula_field.h"
 #include "render/reference/pixel_ray.h"
 #include "render/reference/ray_solver.h"
-#include "render/reference/scene_levels.h"
+#include "render/reference/solved_scene.h"
 
 namespace crest {
 namespace {
@@ -69,16 +68,10 @@ Reference render(const Scene& scene, const Camera& camera, glm::ivec2 size, cons
 template <class Real>
 Reference render_volume(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
                         double tolerance, const Progress& progress) {
-  const VolumeFields fields = fields_of(scene, answer);
-  const auto surfaces = classify(scene.tf, surface_range(scene)).surfaces;
-  FieldLevels<Real> levels;
-  if (fields.dvr != fields.root && !surfaces.empty())
-    levels = levels_apart<Real>(scene, answer, surfaces);
-  else
-    levels.levels = levels_of<Real>(scene, answer, surfaces);
-  return render(scene, camera, size, levels.levels, tolerance, progress,
+  const SolvedScene<Real> solved = solved_scene<Real>(scene, answer);
+  return render(scene, camera, size, solved.levels.levels, tolerance, progress,
                 [&](RaySolver<Real>& solver, const PixelRay<Real>& ray) {
-                  solve_volume(solver, fields, levels, tolerance, ray);
+                  solve_volume(solver, solved.fields, solved.levels, tolerance, ray);
                 });
 }
 

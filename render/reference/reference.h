@@ -54,7 +54,9 @@ inline constexpr double default_tolerance = 1e-10;
 ///   ray_solver       f(s) cut at its extrema and where it meets a level: in between all is smooth
 ///   ramp             the integral over one such piece, by the rule of collocation.h
 ///   polynomial       roots, one between each two extrema
+///   solved_scene     what of a scene an answer shows, in these terms
 ///   cache            what was rendered before
+///   visibility       not the picture, but what of it comes from which value
 Reference render_reference(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
                            double tolerance = default_tolerance, const Progress& progress = {});
 

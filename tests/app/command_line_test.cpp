@@ -20,11 +20,12 @@ TEST_F(CommandLine, HelpTellsEachOption) {
       {"render", scene + picture},
       {"compare", scene + picture},
       {"peaks", {"PRESET", "--volume", "--bins", "--json"}},
-      {"info", {"VOLUME", "--bins", "--json"}},
+      {"info", {"VOLUME", "--bins", "--by-value", "--suggest-peaks", "--json"}},
       {"export",
        {"PRESET", "--to", "paraview", "csv", "--output", "--volume", "--samples", "--size", "--preview",
         "--json"}},
       {"import", {"FILE", "--output", "--name", "--list", "--take", "--onto", "--volume", "--json"}},
+      {"match", {"PRESET", "--from", "--to", "--output", "--by", "histogram", "range", "--json"}},
       {"list", {"volumes", "formats", "methods", "presets", "devices"}}};
   const std::string help = output_of({"--help"});
   for (const std::string& option : scene + Words{"--version", "--shaders", "--log-frames", "Exit codes"})

@@ -35,6 +35,55 @@ TEST_F(Data, InfoOfAVolumeFromAFormula) {
   EXPECT_EQ(histogram[0], 6);  // below -1.25: x = y = -1 with four z, x = -1 and y = -0.5 with two
 }
 
+TEST_F(Data, InfoByValue) {
+  // Its gradient is one vector, of length sqrt(21) / 4: no value stands out
+  const auto info =
+      json_of({"info", "builtin:linear?n=9", "--by-value", path("curves.csv"), "--suggest-peaks"});
+  EXPECT_EQ(info["suggested_peaks"], nlohmann::json::array());
+  std::istringstream csv(content_of(path("curves.csv")));
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line, "from,to,volume,surface_area,mean_gradient,enclosed_volume");
+  std::getline(csv, line);
+  double from = 0, to = 0, volume = 0, area = 0, gradient = 0, enclosed = 0;
+  ASSERT_EQ(
+      std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf", &from, &to, &volume, &area, &gradient, &enclosed),
+      6);
+  EXPECT_EQ(from, -1.75);
+  EXPECT_NEAR(to, -1.75 + 3.5 / 512, 1e-12);
+  EXPECT_NEAR(gradient, std::sqrt(21) / 4, 1e-9);
+  EXPECT_NEAR(enclosed, 8, 1e-9);
+  EXPECT_NEAR(area, gradient * volume / (to - from), 1e-9);
+  // The wall of a sphere's field is everywhere; a vessel tree has one
+  EXPECT_FALSE(json_of({"info", "builtin:vessels?n=32", "--suggest-peaks"})["suggested_peaks"].empty());
+}
+
+TEST_F(Data, MatchCarriesAPresetOver) {
+  // Twice the values: what is in data values is doubled, what is over the range stays
+  const std::string from = "builtin:linear?n=33", to = "builtin:linear?n=33&a=2&b=1&c=0.5";
+  const std::string preset = write("data.json", R"({"format": "crest-preset", "version": 1,
+    "transfer_function": {"points": [{"value": -1, "color": [1, 0, 0], "opacity": 0},
+                                     {"value": 0.3, "color": [1, 0, 0], "opacity": 0.5}]}})");
+  for (const char* by : {"histogram", "range"}) {
+    const auto said =
+        json_of({"match", preset, "--from", from, "--to", to, "-o", path("out.json"), "--by", by, "--json"});
+    EXPECT_NEAR(said["values"][1]["to"], 0.6, 1e-3) << by;
+    const TransferFunction tf = load_preset(path("out.json")).transfer_function;
+    EXPECT_EQ(tf.domain, Domain::data);
+    EXPECT_NEAR(tf.points[0].value, -2, 1e-3) << by;
+    EXPECT_EQ(tf.points[1].value, said["values"][1]["to"]) << by;
+  }
+  run({"match", "four-peaks", "--from", from, "--to", to, "-o", path("out.json")});
+  const TransferFunction before = load_preset("four-peaks").transfer_function,
+                         after = load_preset(path("out.json")).transfer_function;
+  EXPECT_EQ(after.domain, before.domain);
+  for (std::size_t i = 0; i < before.points.size(); ++i)
+    EXPECT_NEAR(after.points[i].value, before.points[i].value, 1e-3) << i;
+  expect_error(2, {"match", "four-peaks", "--from", from, "-o", path("x.json")}, {"--to"});
+  expect_error(1, {"match", "four-peaks", "--from", from, "--to", "none.nrrd", "-o", path("x.json")},
+               {"none.nrrd"});
+}
+
 TEST_F(Data, InfoOfARawFile) {
   std::string bytes;
   for (int i = 0; i < 24; ++i) bytes += {char(0), char(i)};
