@@ -1,16 +1,10 @@
 #include "app/cache_folder.h"
 
-#include <cstdlib>
+#include "app/user_folders.h"
 
 namespace crest {
 
-std::filesystem::path cache_folder() {
-  const char* cache = std::getenv("XDG_CACHE_HOME");
-  const char* home = std::getenv("HOME");
-  if (cache && *cache) return std::filesystem::path(cache) / "crest";
-  if (home && *home) return std::filesystem::path(home) / ".cache" / "crest";
-  return {};
-}
+std::filesystem::path cache_folder() { return user_folder("XDG_CACHE_HOME", ".cache"); }
 
 std::filesystem::path program_folder() {
   const std::filesystem::path cache = cache_folder();

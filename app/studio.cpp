@@ -9,6 +9,7 @@
 #include "app/cache_folder.h"
 #include "app/export_files.h"
 #include "app/scene_options.h"
+#include "app/user_folders.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
 #include "presets/exchange/exporters.h"
@@ -37,6 +38,23 @@ std::vector<Imported> presets_of_another_program(const std::string& path) {
   return import_presets(content, path);
 }
 
+std::filesystem::path recovery_folder() {
+  const std::filesystem::path state = state_folder();
+  return state.empty() ? state : state / "recovery";
+}
+
+/// What the document's file, or the library, has now.
+std::optional<Preset> read_again(const Document& document) {
+  try {
+    const std::string file = document.preset_path.string();
+    if (!file.empty() || !document.library_name.empty())
+      return load_preset(file.empty() ? document.library_name : file);
+  } catch (const std::exception&) {
+    // it is gone
+  }
+  return std::nullopt;
+}
+
 Preset without_camera(Preset preset) {
   preset.camera.reset();
   return preset;
@@ -46,9 +64,11 @@ Preset without_camera(Preset preset) {
 
 Studio::Studio(Document document, FitPreset fit, std::filesystem::path shader_folder)
     : document_(std::move(document)),
-      saved_(document_.preset),
       fit_(std::move(fit)),
-      views_(std::move(shader_folder), program_folder()) {
+      views_(std::move(shader_folder), program_folder()),
+      autosave_(recovery_folder()) {
+  mark_saved();
+  find_recoveries();
   if (document_.volume_source.empty())
     say("Open a volume: Ctrl+O, the Volume menu, or drop a file on the window");
 }
@@ -69,14 +89,24 @@ void Studio::tell_view_error() {
   view_error_ = error;
 }
 
+void Studio::mark_saved() {
+  std::erase_if(saved_, [&](const Saved& one) { return is_same_preset_file(one.document, document_); });
+  saved_.push_back({document_, document_.preset});
+}
+
+const Preset* Studio::saved_preset() const {
+  for (const Saved& one : saved_)
+    if (is_same_preset_file(one.document, document_)) return &one.preset;
+  return nullptr;
+}
+
 bool Studio::has_unsaved_changes() const {
-  return without_camera(document_.preset) != without_camera(saved_);
+  const Preset* saved = saved_preset();
+  return !saved || without_camera(document_.preset) != without_camera(*saved);
 }
 
 std::string Studio::title() const {
-  const std::string name =
-      document_.preset_path.empty() ? "new preset" : document_.preset_path.filename().string();
-  return fmt::format("{}{} - {} - Crest", has_unsaved_changes() ? "* " : "", name,
+  return fmt::format("{}{} - {} - Crest", has_unsaved_changes() ? "* " : "", preset_label(document_),
                      loaded_.volume ? loaded_.volume->name : "no volume");
 }
 
@@ -99,7 +129,7 @@ void Studio::show(Loaded fresh) {
   views_.renderer().hold(fresh.volume);  // the driver must hold it, too
   const bool was_saved = !has_unsaved_changes();
   document_.preset = std::move(preset);
-  if (was_saved) saved_ = document_.preset;
+  if (was_saved) mark_saved();
   fit_ = nullptr;
   loaded_ = std::move(fresh);
   if (!loading_for_document_) document_.volume_source = loaded_.source;
@@ -141,8 +171,9 @@ void Studio::open_preset(const std::string& name_or_path, TfParts take) {
       return;
     }
     document_.preset = std::move(preset);
-    document_.preset_path = is_file ? std::filesystem::path(name_or_path) : std::filesystem::path();
-    saved_ = document_.preset;
+    document_.preset_path = is_file ? name_or_path : "";
+    document_.library_name = is_file ? "" : name_or_path;
+    mark_saved();
     if (is_file) recent_.add(name_or_path);
     say(fmt::format("Opened {}", name_or_path));
   } catch (const std::exception& error) {
@@ -167,6 +198,7 @@ void Studio::take_import(const StudioRequests::Import& choice) {
     if (one.preset.rendering.shading != Shading::none)
       preset.rendering.shading = one.preset.rendering.shading;
     document_.preset_path.clear();
+    document_.library_name.clear();
     fit_ = nullptr;
   }
   say(fmt::format("Imported {} from {}", one.preset.name, imported_from_));
@@ -201,13 +233,53 @@ void Studio::save_preset_to(const std::filesystem::path& path) {
   try {
     save_preset(path, document_.preset);
     document_.preset_path = path;
-    saved_ = document_.preset;
+    document_.library_name.clear();
+    mark_saved();
     recent_.add(path.string());
     say(fmt::format("Saved {}", path.string()));
   } catch (const std::exception& error) {
     quit_ = false;  // a person who saves before quitting must not lose what could not be saved
     say(error.what(), true);
   }
+}
+
+void Studio::find_recoveries() {
+  for (RecoveryFile& file : RecoveryFile::left_behind(recovery_folder())) try {
+      KeptDocument kept = file.read();
+      recoveries_.push_back({std::move(file), std::move(kept)});
+    } catch (const std::exception&) {
+      // damaged, or of another version: it stays for that
+    }
+}
+
+std::optional<RecoveryOffer> Studio::recovery_offer() const {
+  if (recoveries_.empty()) return std::nullopt;
+  const KeptDocument& kept = recoveries_.front().kept;
+  const auto age = std::chrono::system_clock::now() - kept.time;
+  return RecoveryOffer{preset_label(kept.document), kept.document.volume_source,
+                       std::chrono::duration<double>(age).count(), int(recoveries_.size()) - 1};
+}
+
+void Studio::take_recovery(RecoveryAnswer answer) {
+  if (recoveries_.empty()) return;
+  if (answer == RecoveryAnswer::later) return recoveries_.clear();
+  Recovery one = std::move(recoveries_.front());
+  recoveries_.erase(recoveries_.begin());
+  if (answer == RecoveryAnswer::discard) return one.file.remove();
+  document_ = std::move(one.kept.document);
+  fit_ = nullptr;  // was for the preset of the command line
+  if (auto saved = read_again(document_)) {
+    const Preset kept = std::exchange(document_.preset, std::move(*saved));
+    mark_saved();
+    document_.preset = kept;
+  }
+  say(fmt::format("Restored {}", preset_label(document_)));
+  autosave_.adopt(std::move(one.file), document_);
+}
+
+void Studio::keep_unsaved_changes() {
+  const std::string error = autosave_.update(document_, has_unsaved_changes(), Autosave::Clock::now());
+  if (!error.empty()) say(error, true);
 }
 
 void Studio::open(const std::string& source) {
@@ -224,7 +296,8 @@ void Studio::handle(const StudioRequests& requests) {
     document_.preset = Preset{};
     document_.preset.transfer_function = default_transfer_function();
     document_.preset_path.clear();
-    saved_ = document_.preset;
+    document_.library_name.clear();
+    mark_saved();
   }
   if (requests.open_preset) open_preset(*requests.open_preset, requests.take);
   if (requests.import_choice) take_import(*requests.import_choice);
@@ -236,7 +309,9 @@ void Studio::handle(const StudioRequests& requests) {
     views_.renderer().resources().programs.reload();
     views_.invalidate();
   }
+  if (requests.recovery) take_recovery(*requests.recovery);
   if (requests.measure) *requests.measure ? sweep_.switch_on() : sweep_.switch_off();
+  if (quit_) autosave_.end();  // saved, or discarded by choice
 }
 
 StudioInputs Studio::inputs(bool close_requested) {
@@ -251,6 +326,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.message_is_error = message_is_error_;
   inputs.recent = recent_.list();
   inputs.performance = performance_;
+  inputs.recovery = recovery_offer();
   inputs.accuracy = &sweep_.results();
   inputs.choice = &choice_.results();
   for (int i = 0; i < view_count; ++i) inputs.views[std::size_t(i)] = views_.picture(i);

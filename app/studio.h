@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/autosave.h"
 #include "app/background_choice.h"
 #include "app/background_sweep.h"
 #include "app/export_picture.h"
@@ -29,6 +30,9 @@ class Studio {
   /// One frame: draws the panels (between Dear ImGui's NewFrame and Render), does what the person asked for,
   /// and works on the views for about `render_ms`.
   void frame(bool close_requested, double render_ms, bool interactive);
+
+  /// Keeps unsaved changes, so that they outlive a crash. To be called again and again, also at rest.
+  void keep_unsaved_changes();
 
   /// What was dropped on the window: a preset, of Crest's own or of another program, or a volume.
   void open(const std::string& source);
@@ -63,8 +67,14 @@ class Studio {
   void update_export_picture(const StudioRequests& requests);
   void save_preset_to(const std::filesystem::path& path);
   void handle(const StudioRequests& requests);
+  void find_recoveries();
+  std::optional<RecoveryOffer> recovery_offer() const;
+  void take_recovery(RecoveryAnswer answer);
   void say(std::string text, bool is_error = false);
   void tell_view_error();
+  /// The preset is what its file has, or what it was opened as.
+  void mark_saved();
+  const Preset* saved_preset() const;  ///< null where it stands nowhere
   bool has_unsaved_changes() const;
   StudioInputs inputs(bool close_requested);
   void update_sweep(const StudioRequests& requests, bool interactive);
@@ -74,7 +84,11 @@ class Studio {
   std::array<ViewRequest, view_count> view_requests(const StudioRequests& requests) const;
 
   Document document_;
-  Preset saved_;  ///< as the file has it
+  struct Saved {
+    Document document;  ///< which file it is
+    Preset preset;      ///< what stands in it
+  };
+  std::vector<Saved> saved_;  ///< each file that the document was in, since undo leads back
   Loaded loaded_;
   VolumeLoader loader_;
   bool loading_for_document_ = false;  ///< which names it already: at the start, and after an undo
@@ -89,6 +103,12 @@ class Studio {
   TfParts import_take_ = TfParts::both;  ///< as the file was opened
   ExportPictureMaker export_picture_;
   RecentFiles recent_;
+  struct Recovery {
+    RecoveryFile file;
+    KeptDocument kept;
+  };
+  std::vector<Recovery> recoveries_;  ///< of earlier runs, the newest first; offered one after the other
+  Autosave autosave_;
   std::string message_, performance_;
   std::string view_error_;  ///< as last told
   bool message_is_error_ = false, quit_ = false;

@@ -33,7 +33,10 @@ Document initial_document(const StudioOptions& options) {
   Document document;
   document.volume_source = options.scene.volume;
   document.preset = options.scene.read_preset();
-  if (std::filesystem::exists(options.scene.preset)) document.preset_path = options.scene.preset;
+  if (std::filesystem::exists(options.scene.preset))
+    document.preset_path = options.scene.preset;
+  else
+    document.library_name = options.scene.preset;
   return document;
 }
 
@@ -47,6 +50,7 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
     // At rest the program sleeps; while a volume is read, or something is measured, it looks up now and then
     const bool works = settling > 0 || studio.is_drawing();
     window.poll_events(!works, studio.is_loading() ? 0.05 : studio.is_measuring() ? 0.2 : 1.0);
+    studio.keep_unsaved_changes();
     const auto begin = Clock::now();
     if (window.had_input()) {
       last_input = begin;

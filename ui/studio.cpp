@@ -10,6 +10,7 @@
 #include "ui/peak_table_panel.h"
 #include "ui/peaks_panel.h"
 #include "ui/questions.h"
+#include "ui/recovery_banner.h"
 #include "ui/rendering_panel.h"
 #include "ui/status_bar.h"
 #include "ui/style.h"
@@ -121,6 +122,7 @@ bool studio_window(Document& document, StudioState& state, const StudioInputs& i
   ImGui::SetNextWindowPos(viewport.WorkPos);
   ImGui::SetNextWindowSize(viewport.WorkSize);
   ImGui::Begin("studio", nullptr, fixed_window);
+  recovery_banner(state, inputs, requests);
   const float status = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
   const float height = std::max(ImGui::GetContentRegionAvail().y - status, 1.0F);
   const bool changed = main_area(document, state, inputs, requests, height);

@@ -52,6 +52,15 @@ struct ExportPicture {
   double rmse = 0, max = 0, share = 0;  ///< as PixelErrors
 };
 
+/// Of a document that an earlier run of the program left with unsaved changes.
+struct RecoveryOffer {
+  std::string name;    ///< of the preset
+  std::string volume;  ///< its source; empty where none was open
+  double age = 0;      ///< seconds since it was kept
+  int more = 0;        ///< that many others are there
+};
+enum class RecoveryAnswer { restore, discard, later };
+
 /// What the program tells the panels: results, read only.
 struct StudioInputs {
   const Volume* volume = nullptr;  ///< null while none is open
@@ -71,6 +80,7 @@ struct StudioInputs {
   /// opened.
   std::span<const Imported> imported;
   TfParts import_take = TfParts::both;
+  std::optional<RecoveryOffer> recovery;
   bool unsaved_changes = false;  ///< of the preset, the camera aside: worth a question before quitting
   bool close_requested = false;  ///< the window's close button was pressed since the last frame
 };
@@ -107,7 +117,8 @@ struct StudioRequests {
   std::optional<bool> measure;        ///< switches the measurement in the background on or off
   std::optional<TargetError> choose;  ///< a setting that keeps this error
   bool stop_choosing = false;
-  bool quit = false;  ///< the person was asked about unsaved changes
+  std::optional<RecoveryAnswer> recovery;  ///< of the one that is offered; `later` of all
+  bool quit = false;                       ///< the person was asked about unsaved changes
   bool reload_shaders = false;
 };
 

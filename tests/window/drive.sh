@@ -6,7 +6,7 @@ fi
 work=$(mktemp -d)
 trap 'kill %1 2>/dev/null || true; rm -rf "$work"' EXIT
 layout=$work/layout
-export XDG_CONFIG_HOME=$work/config
+export XDG_CONFIG_HOME=$work/config XDG_STATE_HOME=$work/state XDG_DATA_HOME=$work/data
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
