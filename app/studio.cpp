@@ -229,7 +229,7 @@ void Studio::update_export_picture(const StudioRequests& requests) {
   }
 }
 
-void Studio::save_preset_to(const std::filesystem::path& path) {
+bool Studio::save_preset_to(const std::filesystem::path& path) {
   try {
     save_preset(path, document_.preset);
     document_.preset_path = path;
@@ -237,9 +237,10 @@ void Studio::save_preset_to(const std::filesystem::path& path) {
     mark_saved();
     recent_.add(path.string());
     say(fmt::format("Saved {}", path.string()));
+    return true;
   } catch (const std::exception& error) {
-    quit_ = false;  // a person who saves before quitting must not lose what could not be saved
     say(error.what(), true);
+    return false;
   }
 }
 
@@ -284,14 +285,16 @@ void Studio::keep_unsaved_changes() {
 
 void Studio::open(const std::string& source) {
   if (is_preset_file(source))
-    open_preset(source, TfParts::both);
+    dropped_preset_ = source;
   else
     start_loading(source);
 }
 
 void Studio::handle(const StudioRequests& requests) {
-  quit_ = requests.quit;
-  if (requests.new_preset) {
+  // A person who saves before something else must not lose what could not be saved
+  const bool goes_on = !requests.save_preset || save_preset_to(*requests.save_preset);
+  quit_ = requests.quit && goes_on;
+  if (requests.new_preset && goes_on) {
     fit_ = nullptr;
     document_.preset = Preset{};
     document_.preset.transfer_function = default_transfer_function();
@@ -299,10 +302,9 @@ void Studio::handle(const StudioRequests& requests) {
     document_.library_name.clear();
     mark_saved();
   }
-  if (requests.open_preset) open_preset(*requests.open_preset, requests.take);
+  if (requests.open_preset && goes_on) open_preset(*requests.open_preset, requests.take);
   if (requests.import_choice) take_import(*requests.import_choice);
   if (requests.export_preset) export_to(*requests.export_preset);
-  if (requests.save_preset) save_preset_to(*requests.save_preset);
   if (requests.cancel_loading) cancel_loading();
   if (requests.open_volume) start_loading(*requests.open_volume);
   if (requests.reload_shaders) {
@@ -317,6 +319,7 @@ void Studio::handle(const StudioRequests& requests) {
 StudioInputs Studio::inputs(bool close_requested) {
   StudioInputs inputs;
   inputs.unsaved_changes = has_unsaved_changes();
+  inputs.saved = saved_preset();
   inputs.close_requested = close_requested;
   if (is_loading()) inputs.loading = loader_.source();
   inputs.imported = imported_;
@@ -405,6 +408,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
     shown.unsaved_changes = has_unsaved_changes();
     shown.close_requested = close_requested;
   }
+  shown.dropped_preset = std::exchange(dropped_preset_, std::nullopt);
   const StudioRequests requests = studio_frame(document_, *ui_, shown);
   handle(requests);
   for (const glm::ivec2 size : requests.view_pixels)

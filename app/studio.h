@@ -65,7 +65,8 @@ class Studio {
   void take_import(const StudioRequests::Import& choice);
   void export_to(const StudioRequests::Export& request);
   void update_export_picture(const StudioRequests& requests);
-  void save_preset_to(const std::filesystem::path& path);
+  /// Returns whether it could.
+  bool save_preset_to(const std::filesystem::path& path);
   void handle(const StudioRequests& requests);
   void find_recoveries();
   std::optional<RecoveryOffer> recovery_offer() const;
@@ -109,6 +110,7 @@ class Studio {
   };
   std::vector<Recovery> recoveries_;  ///< of earlier runs, the newest first; offered one after the other
   Autosave autosave_;
+  std::optional<std::string> dropped_preset_;
   std::string message_, performance_;
   std::string view_error_;  ///< as last told
   bool message_is_error_ = false, quit_ = false;

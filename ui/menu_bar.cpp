@@ -140,8 +140,11 @@ bool preset_menu(Document& document, StudioState& state, const StudioInputs& inp
 bool edit_menu(Document& document, StudioState& state) {
   if (!menu(state, "Edit")) return false;
   bool changed = false;
-  if (item(state, "Undo", "Ctrl+Z", state.history.can_undo(document))) changed |= undo(document, state);
-  if (item(state, "Redo", "Ctrl+Shift+Z", state.history.can_redo())) changed |= redo(document, state);
+  const History& history = state.history;
+  if (item(state, "Undo", "Ctrl+Z", history.can_undo(document))) changed |= undo(document, state);
+  if (history.present() > 0) tip(history.steps()[history.present()].name.c_str());
+  if (item(state, "Redo", "Ctrl+Shift+Z", history.can_redo())) changed |= redo(document, state);
+  if (history.can_redo()) tip(history.steps()[history.present() + 1].name.c_str());
   ImGui::EndMenu();
   return changed;
 }

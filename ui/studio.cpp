@@ -5,6 +5,7 @@
 
 #include "ui/accuracy_panel.h"
 #include "ui/export_dialog.h"
+#include "ui/history_panel.h"
 #include "ui/import_dialog.h"
 #include "ui/menu_bar.h"
 #include "ui/peak_table_panel.h"
@@ -73,6 +74,12 @@ bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, St
   note_item(state.widgets, "tab/Accuracy");
   if (accuracy) {
     changed |= accuracy_panel(document, state, inputs, requests);
+    ImGui::EndTabItem();
+  }
+  const bool history = ImGui::BeginTabItem("History");
+  note_item(state.widgets, "tab/History");
+  if (history) {
+    changed |= history_panel(document, state, inputs);
     ImGui::EndTabItem();
   }
   ImGui::EndTabBar();
@@ -157,10 +164,11 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   requests.document_changed |= shortcuts(document, state, inputs, requests);
   requests.document_changed |= menu_bar(document, state, inputs, requests);
   requests.document_changed |= studio_window(document, state, inputs, requests);
-  quit_question(document, state, inputs, requests);
   export_dialog(document, state, inputs, requests);
   import_dialog(state, inputs, requests);
+  if (inputs.dropped_preset) requests.open_preset = inputs.dropped_preset;
   file_question(state, requests);
+  unsaved_question(document, state, inputs, requests);
   help_window(state);
   if (!ImGui::IsAnyItemActive()) state.widgets.typed.clear();
   if (!is_editing(state)) state.history.record(document);

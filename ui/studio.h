@@ -81,8 +81,10 @@ struct StudioInputs {
   std::span<const Imported> imported;
   TfParts import_take = TfParts::both;
   std::optional<RecoveryOffer> recovery;
-  bool unsaved_changes = false;  ///< of the preset, the camera aside: worth a question before quitting
-  bool close_requested = false;  ///< the window's close button was pressed since the last frame
+  bool unsaved_changes = false;   ///< of the preset, the camera aside: worth a question before they are lost
+  const Preset* saved = nullptr;  ///< the preset as its file has it; null where it has none
+  std::optional<std::string> dropped_preset;  ///< on the window, since the last frame
+  bool close_requested = false;               ///< the window's close button was pressed since the last frame
 };
 
 /// What the views show when nobody does anything: the picture as the settings have it; or the exact one,
@@ -108,7 +110,7 @@ struct StudioRequests {
   std::optional<Export> export_preset;
   bool cancel_loading = false;
   bool new_preset = false;
-  /// To be done before quitting; when it fails, the program does not quit.
+  /// To be done first; when it fails, the program neither quits nor opens anything else.
   std::optional<std::filesystem::path> save_preset;
   std::array<glm::ivec2, view_count>
       view_pixels{};  ///< size to draw each view at; (0, 0) = it is not visible
