@@ -50,3 +50,23 @@ drag() {
   done
   xdotool mouseup 1
 }
+
+# type_path PATH WORDS...: into the file dialog, again and again until the command is true: on a busy machine keys get lost.
+type_path() {
+  local path=$1
+  shift
+  for _ in 1 2 3 4 5; do
+    wait_for 10 has_widget "file name"
+    sleep 0.5
+    xdotool key ctrl+a
+    sleep 0.2
+    xdotool type --delay 50 "$path"
+    sleep 0.2
+    xdotool key Return
+    for _ in $(seq 40); do
+      "$@" && return
+      sleep 0.05
+    done
+  done
+  fail "$path is not taken"
+}

@@ -19,12 +19,7 @@ import -window root "$screenshot"
 
 # Save asks for a name, since a preset of the library is not the person's file
 xdotool key ctrl+s
-wait_for 10 has_widget "file name"
-sleep 0.5
-xdotool key ctrl+a
-xdotool type --delay 50 "$work/mine"
-xdotool key Return
-wait_for 10 title_is 'mine.json - *'
+type_path "$work/mine" title_is 'mine.json - *'
 [ -s "$work/mine.json" ] || fail "nothing was saved"
 
 # Back by one step, in the same file; on again
