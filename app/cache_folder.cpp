@@ -6,9 +6,16 @@ namespace crest {
 
 std::filesystem::path cache_folder() { return user_folder("XDG_CACHE_HOME", ".cache"); }
 
-std::filesystem::path program_folder() {
+namespace {
+
+std::filesystem::path part(const char* name) {
   const std::filesystem::path cache = cache_folder();
-  return cache.empty() ? cache : cache / "programs";
+  return cache.empty() ? cache : cache / name;
 }
+
+}  // namespace
+
+std::filesystem::path program_folder() { return part("programs"); }
+std::filesystem::path thumbnail_folder() { return part("thumbnails"); }
 
 }  // namespace crest

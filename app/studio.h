@@ -12,6 +12,8 @@
 #include "app/background_sweep.h"
 #include "app/export_picture.h"
 #include "app/recent_files.h"
+#include "app/thumbnail_maker.h"
+#include "app/thumbnail_store.h"
 #include "app/view_renderer.h"
 #include "app/volume_loader.h"
 #include "ui/studio.h"
@@ -42,9 +44,14 @@ class Studio {
   /// Whether a thread reads on, although nobody waits for it: VolumeLoader::has_thread.
   bool leaves_thread() const { return loader_.has_thread(); }
   bool is_drawing() const { return views_.is_busy(); }  ///< a view is not done
-  /// Something of the measurement in the background may come up soon, has come up.
-  bool is_measuring() const { return sweep_.is_active() || choice_.is_running(); }
-  bool has_news() const { return sweep_.has_news(BackgroundSweep::Clock::now()) || choice_.has_news(); }
+  /// Something of the work in the background may come up soon, has come up.
+  bool is_measuring() const {
+    return sweep_.is_active() || choice_.is_running() || thumbnail_maker_.is_busy();
+  }
+  bool has_news() const {
+    return sweep_.has_news(BackgroundSweep::Clock::now()) || choice_.has_news() ||
+           thumbnail_maker_.has_news();
+  }
   std::string title() const;
   const Document& document() const { return document_; }
   const StudioState& ui_state() const { return *ui_; }
@@ -71,6 +78,11 @@ class Studio {
   void find_recoveries();
   std::optional<RecoveryOffer> recovery_offer() const;
   void take_recovery(RecoveryAnswer answer);
+  void close_volume();
+  void add_start_pictures(StudioInputs& inputs);
+  void keep_thumbnails();
+  void take_thumbnails();
+  void want_thumbnails(const StudioRequests& requests);
   void say(std::string text, bool is_error = false);
   void tell_view_error();
   /// The preset is what its file has, or what it was opened as.
@@ -104,6 +116,8 @@ class Studio {
   TfParts import_take_ = TfParts::both;  ///< as the file was opened
   ExportPictureMaker export_picture_;
   RecentFiles recent_;
+  ThumbnailStore thumbnails_;
+  ThumbnailMaker thumbnail_maker_;
   struct Recovery {
     RecoveryFile file;
     KeptDocument kept;

@@ -16,4 +16,9 @@ std::filesystem::path config_folder() { return user_folder("XDG_CONFIG_HOME", ".
 std::filesystem::path state_folder() { return user_folder("XDG_STATE_HOME", ".local/state"); }
 std::filesystem::path data_folder() { return user_folder("XDG_DATA_HOME", ".local/share"); }
 
+std::filesystem::path recovery_folder() {
+  const std::filesystem::path state = state_folder();
+  return state.empty() ? state : state / "recovery";
+}
+
 }  // namespace crest

@@ -14,6 +14,9 @@ std::filesystem::path state_folder();
 /// What the person made: $XDG_DATA_HOME/crest, or ~/.local/share/crest.
 std::filesystem::path data_folder();
 
+/// The part of the state folder for unsaved changes (RecoveryFile).
+std::filesystem::path recovery_folder();
+
 /// $VARIABLE/crest, or $HOME/`in_home`/crest.
 std::filesystem::path user_folder(const char* variable, const char* in_home);
 

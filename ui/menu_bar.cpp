@@ -64,6 +64,7 @@ void volume_menu(const Document& document, StudioState& state, const StudioInput
     }
     ImGui::EndMenu();
   }
+  if (item(state, "Close volume", nullptr, inputs.volume != nullptr)) requests.close_volume = true;
   ImGui::Separator();
   if (item(state, "Quit", "Ctrl+Q")) state.quit_asked = true;
   ImGui::EndMenu();

@@ -13,6 +13,7 @@
 #include "ui/questions.h"
 #include "ui/recovery_banner.h"
 #include "ui/rendering_panel.h"
+#include "ui/start_page.h"
 #include "ui/status_bar.h"
 #include "ui/style.h"
 #include "ui/transfer_function_editor.h"
@@ -111,7 +112,11 @@ bool main_area(Document& document, StudioState& state, const StudioInputs& input
   ImGui::BeginChild("main", {0, height}, false, fixed_child);
   ImGui::BeginChild("views", {width - side_width - scaled(16), 0}, false, fixed_child);
   ImGui::PopStyleVar();
-  bool changed = views_panel(document, state, inputs, requests);
+  bool changed = false;
+  if (!inputs.volume && inputs.loading.empty() && document.volume_source.empty())
+    start_page(document, state, inputs, requests);
+  else
+    changed |= views_panel(document, state, inputs, requests);
   ImGui::EndChild();
   ImGui::SameLine(0, scaled(4));
   splitter("##side width", true, -1, share, width);

@@ -74,8 +74,10 @@ struct StudioInputs {
   std::string message;                        ///< the last news or error, one line
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
-  std::string performance;          ///< e.g. frame times, for the status bar
-  ExportPicture export_picture;     ///< of the last preview_export
+  /// An ImTextureID each, of 4:3, or 0: of `recent`, and of examples(). Both may be shorter, or empty.
+  std::vector<std::uintptr_t> recent_pictures, example_pictures;
+  std::string performance;       ///< e.g. frame times, for the status bar
+  ExportPicture export_picture;  ///< of the last preview_export
   /// What is in a file of another program, while nothing of it is chosen; and what was asked for when it was
   /// opened.
   std::span<const Imported> imported;
@@ -109,6 +111,8 @@ struct StudioRequests {
   };
   std::optional<Export> export_preset;
   bool cancel_loading = false;
+  bool close_volume = false;
+  bool shows_start_page = false;  ///< in place of the views
   bool new_preset = false;
   /// To be done first; when it fails, the program neither quits nor opens anything else.
   std::optional<std::filesystem::path> save_preset;

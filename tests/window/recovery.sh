@@ -9,17 +9,19 @@ has_kept() { kept >/dev/null; }
 nothing_kept() { ! has_kept; }
 has_no_offer() { ! has_widget recovery/Restore; }
 
-# start ARGS...: the program, until its window rests.
+# start WIDGET ARGS...: the program, until its window has that and rests.
 start() {
+  local widget=$1
+  shift
   rm -f "$layout"
   "$program" "$@" --log-layout "$layout" &
   pid=$!
   trap 'kill -9 $pid 2>/dev/null || true; rm -rf "$work"' EXIT
-  wait_for 60 has_widget view0
+  wait_for 60 has_widget "$widget"
   wait_for 60 is_idle
 }
 
-start "builtin:plume?n=48" --preset "$work/preset.json"
+start view0 "builtin:plume?n=48" --preset "$work/preset.json"
 has_no_offer || fail "something is offered at the first start"
 drag "$(place point/2)" 20 -80 10
 wait_for 10 title_is '\* preset.json*'
@@ -29,7 +31,7 @@ kill -9 $pid
 wait $pid 2>/dev/null || true
 
 # Without any argument: the edit brings its volume and its preset's name with it
-start
+start "start/Open volume..."
 wait_for 10 has_widget recovery/Restore
 title_is 'new preset - no volume*' || fail "title before it is restored: $(value_of title)"
 import -window root "$screenshot"
@@ -42,7 +44,7 @@ import -window root "${screenshot%.png}-restored.png"
 # A second crash just after loses nothing
 kill -9 $pid
 wait $pid 2>/dev/null || true
-start
+start "start/Open volume..."
 wait_for 10 has_widget recovery/Restore
 click recovery/Restore
 wait_for 30 title_is '\* preset.json - plume*'
