@@ -1,20 +1,21 @@
 #include "app/cache_folder.h"
 
-#include <cstdlib>
+#include "app/user_folders.h"
 
 namespace crest {
 
-std::filesystem::path cache_folder() {
-  const char* cache = std::getenv("XDG_CACHE_HOME");
-  const char* home = std::getenv("HOME");
-  if (cache && *cache) return std::filesystem::path(cache) / "crest";
-  if (home && *home) return std::filesystem::path(home) / ".cache" / "crest";
-  return {};
+std::filesystem::path cache_folder() { return user_folder("XDG_CACHE_HOME", ".cache"); }
+
+namespace {
+
+std::filesystem::path part(const char* name) {
+  const std::filesystem::path cache = cache_folder();
+  return cache.empty() ? cache : cache / name;
 }
 
-std::filesystem::path program_folder() {
-  const std::filesystem::path cache = cache_folder();
-  return cache.empty() ? cache : cache / "programs";
-}
+}  // namespace
+
+std::filesystem::path program_folder() { return part("programs"); }
+std::filesystem::path thumbnail_folder() { return part("thumbnails"); }
 
 }  // namespace crest

@@ -11,4 +11,7 @@ std::filesystem::path cache_folder();
 /// The part of it for linked shader programs; empty where the cache folder is.
 std::filesystem::path program_folder();
 
+/// The part of it for small pictures (ThumbnailStore); empty where the cache folder is.
+std::filesystem::path thumbnail_folder();
+
 }  // namespace crest

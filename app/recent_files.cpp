@@ -1,9 +1,10 @@
 #include "app/recent_files.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
+#include "app/sources.h"
+#include "app/user_folders.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
 #include "presets/json.h"
@@ -14,11 +15,8 @@ namespace {
 constexpr std::size_t most_recent = 12;
 
 std::filesystem::path recent_file() {
-  const char* config = std::getenv("XDG_CONFIG_HOME");
-  const char* home = std::getenv("HOME");
-  if (config && *config) return std::filesystem::path(config) / "crest" / "recent.json";
-  if (home && *home) return std::filesystem::path(home) / ".config" / "crest" / "recent.json";
-  return {};
+  const std::filesystem::path folder = config_folder();
+  return folder.empty() ? folder : folder / "recent.json";
 }
 
 }  // namespace
@@ -33,7 +31,8 @@ RecentFiles::RecentFiles() {
   }
 }
 
-void RecentFiles::add(const std::string& source) {
+void RecentFiles::add(const std::string& opened) {
+  const std::string source = absolute_source(opened);
   if (!list_.empty() && list_.front() == source) return;
   std::erase(list_, source);
   list_.insert(list_.begin(), source);

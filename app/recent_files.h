@@ -11,7 +11,7 @@ namespace crest {
 class RecentFiles {
  public:
   RecentFiles();
-  void add(const std::string& source);
+  void add(const std::string& opened);
   const std::vector<std::string>& list() const { return list_; }
 
  private:

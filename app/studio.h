@@ -7,12 +7,15 @@
 #include <optional>
 #include <string>
 
+#include "app/autosave.h"
 #include "app/background_choice.h"
 #include "app/background_sweep.h"
 #include "app/export_picture.h"
 #include "app/last_volume.h"
 #include "app/ray_inspector.h"
 #include "app/recent_files.h"
+#include "app/thumbnail_maker.h"
+#include "app/thumbnail_store.h"
 #include "app/view_difference.h"
 #include "app/view_renderer.h"
 #include "app/volume_loader.h"
@@ -34,6 +37,9 @@ class Studio {
   /// and works on the views for about `render_ms`.
   void frame(bool close_requested, double render_ms, bool interactive);
 
+  /// Keeps unsaved changes, so that they outlive a crash. To be called again and again, also at rest.
+  void keep_unsaved_changes();
+
   /// What was dropped on the window: a preset, of Crest's own or of another program, or a volume.
   void open(const std::string& source);
 
@@ -45,11 +51,14 @@ class Studio {
     return views_.is_busy() || rays_.is_busy();
   }                                            ///< a view, or the inspected ray, is not done
   bool animates() const { return animates_; }  ///< the window changes by itself, each blink_s
-  /// Something of the measurement in the background may come up soon, has come up.
-  bool is_measuring() const { return sweep_.is_active() || choice_.is_running() || matters_.is_active(); }
+  /// Something of the work in the background may come up soon, has come up.
+  bool is_measuring() const {
+    return sweep_.is_active() || choice_.is_running() || matters_.is_active() || thumbnail_maker_.is_busy();
+  }
   bool has_news() const {
     const auto now = BackgroundSweep::Clock::now();
-    return sweep_.has_news(now) || choice_.has_news() || matters_.has_news(now);
+    return sweep_.has_news(now) || choice_.has_news() || matters_.has_news(now) ||
+           thumbnail_maker_.has_news();
   }
   std::string title() const;
   const Document& document() const { return document_; }
@@ -71,10 +80,22 @@ class Studio {
   void take_import(const StudioRequests::Import& choice);
   void export_to(const StudioRequests::Export& request);
   void update_export_picture(const StudioRequests& requests);
-  void save_preset_to(const std::filesystem::path& path);
+  /// Returns whether it could.
+  bool save_preset_to(const std::filesystem::path& path);
   void handle(const StudioRequests& requests);
+  void find_recoveries();
+  std::optional<RecoveryOffer> recovery_offer() const;
+  void take_recovery(RecoveryAnswer answer);
+  void close_volume();
+  void add_start_pictures(StudioInputs& inputs);
+  void keep_thumbnails();
+  void take_thumbnails();
+  void want_thumbnails(const StudioRequests& requests);
   void say(std::string text, bool is_error = false);
   void tell_view_error();
+  /// The preset is what its file has, or what it was opened as.
+  void mark_saved();
+  const Preset* saved_preset() const;  ///< null where it stands nowhere
   bool has_unsaved_changes() const;
   StudioInputs inputs(bool close_requested);
   void update_sweep(const StudioRequests& requests, bool interactive);
@@ -91,7 +112,11 @@ class Studio {
   glm::ivec2 own_view(const StudioRequests& requests) const;
 
   Document document_;
-  Preset saved_;  ///< as the file has it
+  struct Saved {
+    Document document;  ///< which file it is
+    Preset preset;      ///< what stands in it
+  };
+  std::vector<Saved> saved_;  ///< each file that the document was in, since undo leads back
   Loaded loaded_;
   VolumeLoader loader_;
   bool loading_for_document_ = false;  ///< which names it already: at the start, and after an undo
@@ -112,6 +137,15 @@ class Studio {
   TfParts import_take_ = TfParts::both;  ///< as the file was opened
   ExportPictureMaker export_picture_;
   RecentFiles recent_;
+  ThumbnailStore thumbnails_;
+  ThumbnailMaker thumbnail_maker_;
+  struct Recovery {
+    RecoveryFile file;
+    KeptDocument kept;
+  };
+  std::vector<Recovery> recoveries_;  ///< of earlier runs, the newest first; offered one after the other
+  Autosave autosave_;
+  std::optional<std::string> dropped_preset_;
   std::string message_, performance_;
   std::string view_error_;  ///< as last told
   bool message_is_error_ = false, quit_ = false;

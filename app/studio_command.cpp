@@ -34,7 +34,10 @@ Document initial_document(const StudioOptions& options) {
   Document document;
   document.volume_source = options.scene.volume;
   document.preset = options.scene.read_preset();
-  if (std::filesystem::exists(options.scene.preset)) document.preset_path = options.scene.preset;
+  if (std::filesystem::exists(options.scene.preset))
+    document.preset_path = options.scene.preset;
+  else
+    document.library_name = options.scene.preset;
   return document;
 }
 
@@ -49,6 +52,7 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
     const bool works = settling > 0 || studio.is_drawing();
     const double pause = studio.is_loading() ? 0.05 : studio.is_measuring() ? 0.2 : 1.0;
     window.poll_events(!works, studio.animates() ? std::min(pause, blink_s / 4) : pause);
+    studio.keep_unsaved_changes();
     const auto begin = Clock::now();
     if (window.had_input()) {
       last_input = begin;

@@ -48,7 +48,7 @@ void WhatMatters::set_volume(std::shared_ptr<const Volume> volume) {
   why_no_values_.clear();
   visibility_.reset();
   shown_.reset();
-  volume_task_.start(std::move(volume));
+  volume ? volume_task_.start(std::move(volume)) : volume_task_.stop();
 }
 
 void WhatMatters::update(std::optional<VisibilitySubject> picture, bool at_rest, Clock::time_point now) {

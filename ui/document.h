@@ -12,7 +12,14 @@ struct Document {
   std::string volume_source;  ///< as load_volume takes it; empty while none is open
   Preset preset;
   std::filesystem::path preset_path;  ///< where it was opened from or saved to; empty while it has no file
+  std::string library_name;           ///< of the preset that it began as, while it has no file; or empty
   bool operator==(const Document&) const = default;
 };
+
+/// What the preset is called in titles: its file's name, "onion (library)", or "new preset".
+std::string preset_label(const Document& document);
+
+/// Whether two are the same file, the same preset of the library, or both new ones.
+bool is_same_preset_file(const Document& a, const Document& b);
 
 }  // namespace crest

@@ -66,6 +66,7 @@ void volume_menu(const Document& document, StudioState& state, const StudioInput
     }
     ImGui::EndMenu();
   }
+  if (item(state, "Close volume", nullptr, inputs.volume != nullptr)) requests.close_volume = true;
   ImGui::Separator();
   if (item(state, "Quit", "Ctrl+Q")) state.quit_asked = true;
   ImGui::EndMenu();
@@ -157,8 +158,11 @@ bool preset_menu(Document& document, StudioState& state, const StudioInputs& inp
 bool edit_menu(Document& document, StudioState& state) {
   if (!menu(state, "Edit")) return false;
   bool changed = false;
-  if (item(state, "Undo", "Ctrl+Z", state.history.can_undo(document))) changed |= undo(document, state);
-  if (item(state, "Redo", "Ctrl+Shift+Z", state.history.can_redo())) changed |= redo(document, state);
+  const History& history = state.history;
+  if (item(state, "Undo", "Ctrl+Z", history.can_undo(document))) changed |= undo(document, state);
+  if (history.present() > 0) tip(history.steps()[history.present()].name.c_str());
+  if (item(state, "Redo", "Ctrl+Shift+Z", history.can_redo())) changed |= redo(document, state);
+  if (history.can_redo()) tip(history.steps()[history.present() + 1].name.c_str());
   ImGui::EndMenu();
   return changed;
 }

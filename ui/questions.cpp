@@ -1,5 +1,8 @@
 #include "ui/questions.h"
 
+#include <utility>
+
+#include "ui/history_panel.h"
 #include "ui/style.h"
 
 namespace crest {
@@ -55,46 +58,66 @@ void ask_for_file(StudioState& state, const Document& document, FilePurpose purp
       state.file_dialog, purpose,
       purpose == FilePurpose::open_volume || document.preset_path.empty() ? volume : document.preset_path);
   if (purpose == FilePurpose::save_preset && document.preset_path.empty())
-    state.file_dialog.name = "preset.json";
+    state.file_dialog.name = (document.library_name.empty() ? "preset" : document.library_name) + ".json";
 }
 
-void quit_question(Document& document, StudioState& state, const StudioInputs& inputs,
-                   StudioRequests& requests) {
+namespace {
+
+/// What would lose changes goes from the requests into `leaving`.
+void hold_back(StudioState& state, StudioRequests& requests) {
+  Leaving asked;
+  asked.quit = std::exchange(state.quit_asked, false);
+  asked.new_preset = std::exchange(requests.new_preset, false);
+  // Its colours or its opacities alone are an edit, which can be undone
+  if (requests.take == TfParts::both) asked.open_preset = std::exchange(requests.open_preset, std::nullopt);
+  if (asked.is_any()) state.leaving = asked;
+}
+
+void let_go(StudioState& state, StudioRequests& requests) {
+  const Leaving leaving = std::exchange(state.leaving, {});
+  requests.quit = leaving.quit;
+  requests.new_preset = leaving.new_preset;
+  if (leaving.open_preset) requests.open_preset = leaving.open_preset;
+}
+
+}  // namespace
+
+void unsaved_question(Document& document, StudioState& state, const StudioInputs& inputs,
+                      StudioRequests& requests) {
   if (inputs.close_requested) state.quit_asked = true;
+  hold_back(state, requests);
+  if (!state.leaving.is_any() || state.leaving.once_saved) return;
+  if (!inputs.unsaved_changes) return let_go(state, requests);
   constexpr const char* title = "Unsaved changes";
-  if (state.quit_asked && !ImGui::IsPopupOpen(title)) {
-    if (!inputs.unsaved_changes) {
-      requests.quit = true;
-      state.quit_asked = false;
-      return;
-    }
-    ImGui::OpenPopup(title);
-  }
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   center_next_window();
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-  ImGui::TextUnformatted("The preset has changes that are not saved.");
+  ImGui::Text("%s has changes that are not saved:", preset_label(document).c_str());
+  if (inputs.saved) change_list(*inputs.saved, document.preset, 8);
   ImGui::Spacing();
   const ImVec2 size{scaled(104), 0};
   const auto button = [&](const char* text) {
     const bool pressed = ImGui::Button(text, size);
     note_item(state.widgets, text);
-    if (pressed) {
-      state.quit_asked = false;
-      ImGui::CloseCurrentPopup();
-    }
+    if (pressed) ImGui::CloseCurrentPopup();
     return pressed;
   };
   if (button("Save##quit")) {
-    state.quit_after_save = true;
-    if (document.preset_path.empty())
+    if (document.preset_path.empty()) {
+      state.leaving.once_saved = true;
       ask_for_file(state, document, FilePurpose::save_preset);
-    else
+    } else {
       requests.save_preset = document.preset_path;
+      let_go(state, requests);
+    }
   }
   ImGui::SameLine();
-  if (button("Discard")) requests.quit = true;
+  if (button("Discard")) let_go(state, requests);
   ImGui::SameLine();
-  button("Stay");
+  if (button("Stay") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+    state.leaving = {};
+    ImGui::CloseCurrentPopup();
+  }
   ImGui::EndPopup();
 }
 
@@ -110,8 +133,11 @@ void file_question(StudioState& state, StudioRequests& requests) {
     if (purpose == FilePurpose::save_preset) requests.save_preset = *path;
     if (purpose == FilePurpose::save_ray) requests.save_ray = *path;
   }
-  if (state.quit_after_save && requests.save_preset) requests.quit = true;
-  if (!state.file_dialog.open) state.quit_after_save = false;
+  if (!state.leaving.once_saved) return;
+  if (requests.save_preset)
+    let_go(state, requests);
+  else if (!state.file_dialog.open)
+    state.leaving = {};  // no name was given
 }
 
 void help_window(StudioState& state) {

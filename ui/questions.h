@@ -4,9 +4,11 @@
 
 namespace crest {
 
-/// The question about unsaved changes, once the person asked to quit; without any, it quits.
-void quit_question(Document& document, StudioState& state, const StudioInputs& inputs,
-                   StudioRequests& requests);
+/// Holds back what would lose unsaved changes - to quit, a new preset, another one - until the person
+/// answered a question about them; without any, lets it pass. To be called when all that may ask for it has
+/// been drawn.
+void unsaved_question(Document& document, StudioState& state, const StudioInputs& inputs,
+                      StudioRequests& requests);
 
 /// Opens the file dialog beside the document's preset or volume.
 void ask_for_file(StudioState& state, const Document& document, FilePurpose purpose);

@@ -7,13 +7,16 @@
 
 #include "ui/accuracy_panel.h"
 #include "ui/export_dialog.h"
+#include "ui/history_panel.h"
 #include "ui/import_dialog.h"
 #include "ui/menu_bar.h"
 #include "ui/peak_table_panel.h"
 #include "ui/peaks_panel.h"
 #include "ui/questions.h"
 #include "ui/ray_panel.h"
+#include "ui/recovery_banner.h"
 #include "ui/rendering_panel.h"
+#include "ui/start_page.h"
 #include "ui/status_bar.h"
 #include "ui/style.h"
 #include "ui/transfer_function_editor.h"
@@ -85,6 +88,12 @@ bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, St
     ray_panel(document, state, inputs);
     ImGui::EndTabItem();
   }
+  const bool history = ImGui::BeginTabItem("History");
+  note_item(state.widgets, "tab/History");
+  if (history) {
+    changed |= history_panel(document, state, inputs);
+    ImGui::EndTabItem();
+  }
   ImGui::EndTabBar();
   return changed;
 }
@@ -114,7 +123,11 @@ bool main_area(Document& document, StudioState& state, const StudioInputs& input
   ImGui::BeginChild("main", {0, height}, false, fixed_child);
   ImGui::BeginChild("views", {width - side_width - scaled(16), 0}, false, fixed_child);
   ImGui::PopStyleVar();
-  bool changed = views_panel(document, state, inputs, requests);
+  bool changed = false;
+  if (!inputs.volume && inputs.loading.empty() && document.volume_source.empty())
+    start_page(document, state, inputs, requests);
+  else
+    changed |= views_panel(document, state, inputs, requests);
   ImGui::EndChild();
   ImGui::SameLine(0, scaled(4));
   splitter("##side width", true, -1, share, width);
@@ -132,6 +145,7 @@ bool studio_window(Document& document, StudioState& state, const StudioInputs& i
   ImGui::SetNextWindowPos(viewport.WorkPos);
   ImGui::SetNextWindowSize(viewport.WorkSize);
   ImGui::Begin("studio", nullptr, fixed_window);
+  recovery_banner(state, inputs, requests);
   const float status = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
   const float height = std::max(ImGui::GetContentRegionAvail().y - status, 1.0F);
   const bool changed = main_area(document, state, inputs, requests, height);
@@ -177,10 +191,11 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   requests.document_changed |= menu_bar(document, state, inputs, requests);
   close_menu_by_key();
   requests.document_changed |= studio_window(document, state, inputs, requests);
-  quit_question(document, state, inputs, requests);
   export_dialog(document, state, inputs, requests);
   import_dialog(state, inputs, requests);
+  if (inputs.dropped_preset) requests.open_preset = inputs.dropped_preset;
   file_question(state, requests);
+  unsaved_question(document, state, inputs, requests);
   help_window(state);
   requests.show_visibility = is_visibility(state.editor.value_curve);
   if (!ImGui::IsAnyItemActive()) state.widgets.typed.clear();

@@ -62,6 +62,14 @@ struct CarryOver {
   std::string from;           ///< its name
   bool knows_values = false;  ///< of both volumes, as carrying by histogram needs them
 };
+/// Of a document that an earlier run of the program left with unsaved changes.
+struct RecoveryOffer {
+  std::string name;    ///< of the preset
+  std::string volume;  ///< its source; empty where none was open
+  double age = 0;      ///< seconds since it was kept
+  int more = 0;        ///< that many others are there
+};
+enum class RecoveryAnswer { restore, discard, later };
 
 /// What the program tells the panels: results, read only.
 struct StudioInputs {
@@ -85,14 +93,19 @@ struct StudioInputs {
   std::string message;                           ///< the last news or error, one line
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
-  std::string performance;          ///< e.g. frame times, for the status bar
-  ExportPicture export_picture;     ///< of the last preview_export
+  /// An ImTextureID each, of 4:3, or 0: of `recent`, and of examples(). Both may be shorter, or empty.
+  std::vector<std::uintptr_t> recent_pictures, example_pictures;
+  std::string performance;       ///< e.g. frame times, for the status bar
+  ExportPicture export_picture;  ///< of the last preview_export
   /// What is in a file of another program, while nothing of it is chosen; and what was asked for when it was
   /// opened.
   std::span<const Imported> imported;
   TfParts import_take = TfParts::both;
-  bool unsaved_changes = false;  ///< of the preset, the camera aside: worth a question before quitting
-  bool close_requested = false;  ///< the window's close button was pressed since the last frame
+  std::optional<RecoveryOffer> recovery;
+  bool unsaved_changes = false;   ///< of the preset, the camera aside: worth a question before they are lost
+  const Preset* saved = nullptr;  ///< the preset as its file has it; null where it has none
+  std::optional<std::string> dropped_preset;  ///< on the window, since the last frame
+  bool close_requested = false;               ///< the window's close button was pressed since the last frame
 };
 
 /// What the person asked for in this frame, other than changes of the document.
@@ -113,8 +126,10 @@ struct StudioRequests {
   };
   std::optional<Export> export_preset;
   bool cancel_loading = false;
+  bool close_volume = false;
+  bool shows_start_page = false;  ///< in place of the views
   bool new_preset = false;
-  /// To be done before quitting; when it fails, the program does not quit.
+  /// To be done first; when it fails, the program neither quits nor opens anything else.
   std::optional<std::filesystem::path> save_preset;
   std::array<glm::ivec2, view_count>
       view_pixels{};  ///< size to draw each view at; (0, 0) = it is not visible
@@ -132,7 +147,8 @@ struct StudioRequests {
   std::optional<bool> measure;        ///< switches the measurement in the background on or off
   std::optional<TargetError> choose;  ///< a setting that keeps this error
   bool stop_choosing = false;
-  bool quit = false;  ///< the person was asked about unsaved changes
+  std::optional<RecoveryAnswer> recovery;  ///< of the one that is offered; `later` of all
+  bool quit = false;                       ///< the person was asked about unsaved changes
   bool reload_shaders = false;
 };
 

@@ -85,6 +85,14 @@ struct ExportDialog {
   std::string error;  ///< why it cannot be written
 };
 
+/// What would lose the unsaved changes: it waits for an answer, or for the name to save them under.
+struct Leaving {
+  bool quit = false, new_preset = false;
+  std::optional<std::string> open_preset;
+  bool once_saved = false;  ///< the answer was to save: it goes on when that is asked for
+  bool is_any() const { return quit || new_preset || open_preset; }
+};
+
 struct ImportDialog {
   int chosen = -1;  ///< none yet
   TfParts take = TfParts::both;
@@ -103,8 +111,9 @@ struct StudioState {
   ExportDialog export_dialog;
   ImportDialog import_dialog;
   bool show_help = false;
-  bool quit_asked = false;  ///< the person wants to leave; the question is open, or about to be
-  bool quit_after_save = false;
+  bool quit_asked = false;   ///< the person wants to leave
+  Leaving leaving;           ///< what the question about unsaved changes is about
+  std::size_t shown_step{};  ///< of the history, to which its list was last scrolled
   double camera_moved = -1;  ///< when the wheel last moved the camera, in Dear ImGui's seconds
   std::string under_cursor;  ///< what the status bar tells of the place under the mouse
 };

@@ -208,6 +208,78 @@ TEST_F(Files, SaveBeforeQuittingToANewName) {
   EXPECT_TRUE(saved.quit);
 }
 
+TEST_F(Files, NewAndOpeningAnotherPresetAskAboutUnsavedChanges) {
+  inputs.unsaved_changes = true;
+  document.preset_path = folder / "mine.json";
+  choose("Preset", "New");
+  EXPECT_FALSE(requests.new_preset);
+  frames(3);
+  click("Stay");
+  frames(3);
+  EXPECT_FALSE(requests.new_preset);
+  choose("Preset", "New");
+  frames(3);
+  move_to(center_of("Discard"));
+  press();
+  release();
+  EXPECT_TRUE(requests.new_preset);
+  EXPECT_FALSE(requests.save_preset);
+  EXPECT_FALSE(requests.quit);
+
+  inputs.dropped_preset = "/x/other.json";
+  EXPECT_FALSE(frame().open_preset);
+  inputs.dropped_preset.reset();
+  frames(3);
+  move_to(center_of("Save##quit"));
+  press();
+  release();
+  EXPECT_EQ(requests.save_preset, folder / "mine.json");
+  EXPECT_EQ(requests.open_preset, "/x/other.json") << "once it is saved";
+  frames(3);
+  EXPECT_FALSE(requests.open_preset);
+  EXPECT_FALSE(has("Stay"));
+}
+
+TEST_F(Files, APresetIsOpenedAtOnceWhereNothingIsLost) {
+  inputs.dropped_preset = "/x/other.json";
+  EXPECT_EQ(frame().open_preset, "/x/other.json");
+  inputs.dropped_preset.reset();
+  frames(3);
+  EXPECT_FALSE(requests.open_preset);
+}
+
+TEST_F(Files, TheQuestionListsWhatChangedAndEscapeStays) {
+  const Preset saved = document.preset;
+  tf().points[2].opacity = 0.5;
+  inputs.unsaved_changes = true;
+  inputs.saved = &saved;
+  ctrl('Q');
+  frames(3);
+  ASSERT_TRUE(has("Stay"));
+  key_of(ImGuiKey_Escape);
+  frames(3);
+  EXPECT_FALSE(has("Stay"));
+  EXPECT_FALSE(requests.quit);
+  inputs.unsaved_changes = false;
+  EXPECT_TRUE(ctrl('Q').quit) << "it was forgotten, not kept for later";
+}
+
+TEST_F(Files, GivingNoNameGivesUpWhatWaited) {
+  inputs.unsaved_changes = true;
+  document.library_name = "onion";
+  choose("Preset", "New");
+  frames(3);
+  click("Save##quit");
+  frames(3);
+  EXPECT_EQ(state->file_dialog.name, "onion.json");
+  click("cancel file");
+  frames(3);
+  EXPECT_FALSE(requests.new_preset);
+  const StudioRequests saved = (ctrl('S'), frames(3), name("later"));
+  EXPECT_EQ(saved.save_preset, folder / "later.json");
+  EXPECT_FALSE(saved.new_preset);
+}
+
 TEST_F(Files, TypingInAFieldIsNotACommand) {
   inputs.volume = &volume;
   document.preset.camera = Camera{};

@@ -6,7 +6,7 @@ fi
 work=$(mktemp -d)
 trap 'kill %1 2>/dev/null || true; rm -rf "$work"' EXIT
 layout=$work/layout
-export XDG_CONFIG_HOME=$work/config
+export XDG_CONFIG_HOME=$work/config XDG_STATE_HOME=$work/state XDG_DATA_HOME=$work/data
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
@@ -49,4 +49,24 @@ drag() {
     sleep 0.03
   done
   xdotool mouseup 1
+}
+
+# type_path PATH WORDS...: into the file dialog, again and again until the command is true: on a busy machine keys get lost.
+type_path() {
+  local path=$1
+  shift
+  for _ in 1 2 3 4 5; do
+    wait_for 10 has_widget "file name"
+    sleep 0.5
+    xdotool key ctrl+a
+    sleep 0.2
+    xdotool type --delay 50 "$path"
+    sleep 0.2
+    xdotool key Return
+    for _ in $(seq 40); do
+      "$@" && return
+      sleep 0.05
+    done
+  done
+  fail "$path is not taken"
 }

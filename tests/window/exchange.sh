@@ -10,26 +10,6 @@ cat >"$work/map.json" <<'J'
  {"Name": "other", "RGBPoints": [0, 0, 0, 0, 1, 1, 1, 1]}]
 J
 
-# type_path PATH WORDS...: into the file dialog, again and again until the command is true: on a busy machine keys get lost.
-type_path() {
-  local path=$1
-  shift
-  for _ in 1 2 3 4 5; do
-    wait_for 10 has_widget "file name"
-    sleep 0.5
-    xdotool key ctrl+a
-    sleep 0.2
-    xdotool type --delay 50 "$path"
-    sleep 0.2
-    xdotool key Return
-    for _ in $(seq 40); do
-      "$@" && return
-      sleep 0.05
-    done
-  done
-  fail "$path is not taken"
-}
-
 timeout 200 "$program" "builtin:sphere?n=48" --preset "$work/preset.json" --log-layout "$layout" &
 wait_for 30 has_widget view0
 wait_for 60 is_idle

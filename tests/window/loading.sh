@@ -14,7 +14,7 @@ import -window root "$screenshot"
 click 'cancel loading'
 wait_for 10 is_idle
 has_widget 'cancel loading' && fail "cancelled, and yet it reads"
-has_widget view0 || fail "no views"
+has_widget example/0 || fail "no start page"
 xdotool key ctrl+q
 wait %1 || fail "after cancelling: exit code $?"
 

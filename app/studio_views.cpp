@@ -1,0 +1,72 @@
+#include "app/studio.h"
+#include "render/scene/camera.h"
+#include "render/scene/exact.h"
+
+// What the studio's views are to show, and what a person finds out in them.
+
+namespace crest {
+
+/// A content's picture; by the exact march where that is wanted, and there is one for the settings.
+ViewRequest Studio::request_of(const ViewContent& content, ShownPicture shown_by_all, glm::ivec2 size) const {
+  const Camera camera = camera_of(document_.preset, loaded_.volume->grid, aspect_of(size));
+  ViewRequest request{make_scene(loaded_.volume, preset_of(content, document_.preset)), camera, size};
+  const ShownPicture shown = content.picture.value_or(shown_by_all);
+  Rendering& rendering = request.scene.rendering;
+  if (shown == ShownPicture::as_set || !why_not_exact(rendering).empty()) return request;
+  rendering = exact_rendering(rendering);
+  request.error_bound = shown == ShownPicture::error_bound;
+  return request;
+}
+
+std::array<ViewRequest, picture_count> Studio::view_requests(const StudioRequests& requests) const {
+  std::array<ViewRequest, picture_count> wanted;
+  if (!loaded_.volume) return wanted;
+  for (std::size_t i = 0; i < view_count; ++i)
+    if (const glm::ivec2 size = requests.view_pixels[i]; size.x > 0)
+      wanted[i] = request_of(requests.contents[i], requests.shown_picture, size);
+  if (requests.comparison)
+    wanted[compared_picture] = request_of(requests.comparison->with, requests.shown_picture,
+                                          requests.view_pixels[std::size_t(requests.comparison->view)]);
+  return wanted;
+}
+
+void Studio::update_difference(const StudioRequests& requests) {
+  const bool is_wanted = requests.comparison && requests.comparison->takes_difference();
+  if (is_wanted)
+    difference_.update(views_, *requests.comparison);
+  else
+    difference_.clear();
+}
+
+/// The inspected ray is brought up to date when nothing moves; what is under the mouse is solved at once.
+void Studio::update_rays(const StudioRequests& requests, bool interactive) {
+  if (!requests.inspect || !loaded_.volume) rays_.clear();
+  picked_.reset();
+  if (!loaded_.volume) return;
+  try {
+    const auto camera = [&](const RayAsk& ask) {
+      return camera_of(document_.preset, loaded_.volume->grid, aspect_of(ask.size));
+    };
+    if (requests.inspect)
+      rays_.want(make_scene(loaded_.volume, document_.preset), camera(*requests.inspect), *requests.inspect);
+    if (!interactive) rays_.work(views_.renderer());
+    if (const auto& ask = requests.hovered; ask && !requests.document_changed) {
+      const Preset preset = preset_of(requests.contents[std::size_t(ask->view)], document_.preset);
+      picked_ = rays_.pick(make_scene(loaded_.volume, preset), camera(*ask), *ask);
+    }
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
+/// The size of the view of the preset's own mode, or of another where that is not to be seen.
+glm::ivec2 Studio::own_view(const StudioRequests& requests) const {
+  glm::ivec2 size{0};
+  for (std::size_t i = 0; i < view_count; ++i)
+    if (const glm::ivec2 view = requests.view_pixels[i];
+        view.x > 0 && (size.x == 0 || requests.contents[i].mode == document_.preset.rendering.mode))
+      size = view;
+  return size;
+}
+
+}  // namespace crest

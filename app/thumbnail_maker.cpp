@@ -1,0 +1,135 @@
+#include "app/thumbnail_maker.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/cache_folder.h"
+#include "app/offscreen_context.h"
+#include "app/thread_priority.h"
+#include "render/files/load.h"
+#include "render/renderer.h"
+#include "render/scene/camera.h"
+
+namespace crest {
+namespace {
+
+constexpr int most_points = 96;  // an axis: about half a pixel of a thumbnail
+
+/// A context, and the volume that the last picture was of.
+struct Offscreen {
+  OffscreenContext context;
+  Renderer renderer{std::filesystem::path(), program_folder()};
+  std::shared_ptr<const Volume> original, small;
+  std::string source;
+
+  void open(const ThumbnailJob& job) {
+    if (job.volume ? original == job.volume : original && source == job.source) return;
+    original = job.volume ? job.volume : std::make_shared<const Volume>(load_volume(job.source));
+    source = job.volume ? "" : job.source;
+    small = std::make_shared<const Volume>(thinned(*original, most_points));
+    renderer.hold(small);
+  }
+
+  Thumbnail draw(const ThumbnailJob& job) {
+    open(job);
+    Scene scene = make_scene(original, job.preset);  // its unit may be the original's voxels
+    scene.volume = small;
+    const double aspect = double(thumbnail_size.x) / thumbnail_size.y;
+    gl::RenderTarget target(thumbnail_size, false);
+    renderer.draw(scene, whole_volume_camera(small->grid, aspect), target);
+    return thumbnail_of(target.read_color(), glm::vec3(job.preset.rendering.background));
+  }
+};
+
+}  // namespace
+
+Volume thinned(const Volume& volume, int most) {
+  const glm::ivec3 dims = volume.grid.dims;
+  Volume small;
+  small.name = volume.name;
+  small.file_type = volume.file_type;
+  small.grid = volume.grid;
+  small.grid.dims = glm::min(dims, glm::ivec3(most));
+  small.grid.spacing = volume.grid.box_size() / glm::dvec3(small.grid.dims - 1);
+  const auto at = [&](int i, int axis) {
+    const int last = small.grid.dims[axis] - 1;
+    return int((std::int64_t(i) * (dims[axis] - 1) + last / 2) / last);
+  };
+  small.values.reserve(small.grid.point_count());
+  for (int k = 0; k < small.grid.dims.z; ++k)
+    for (int j = 0; j < small.grid.dims.y; ++j)
+      for (int i = 0; i < small.grid.dims.x; ++i) {
+        const auto row = std::size_t(at(k, 2)) * std::size_t(dims.y) + std::size_t(at(j, 1));
+        small.values.push_back(volume.values[row * std::size_t(dims.x) + std::size_t(at(i, 0))]);
+      }
+  small.statistics = compute_statistics(small.grid, small.values);
+  return small;
+}
+
+ThumbnailMaker::Draw ThumbnailMaker::draw_offscreen() {
+  return
+      [offscreen = std::make_shared<Offscreen>()](const ThumbnailJob& job) { return offscreen->draw(job); };
+}
+
+ThumbnailMaker::ThumbnailMaker(std::function<Draw()> make_draw) : make_draw_(std::move(make_draw)) {}
+ThumbnailMaker::~ThumbnailMaker() { thread_.request_stop(); }
+
+void ThumbnailMaker::want(std::vector<ThumbnailJob> jobs) {
+  const std::scoped_lock lock(mutex_);
+  waiting_.clear();
+  for (ThumbnailJob& job : jobs) {
+    const bool is_made = std::ranges::any_of(made_, [&](const Made& made) { return made.key == job.key; });
+    if (job.key != drawing_ && !is_made && std::ranges::find(failed_, job.key) == failed_.end())
+      waiting_.push_back(std::move(job));
+  }
+  if (waiting_.empty() || is_working_) return;
+  is_working_ = true;
+  thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+}
+
+bool ThumbnailMaker::is_busy() const {
+  const std::scoped_lock lock(mutex_);
+  return is_working_ || !made_.empty();
+}
+
+bool ThumbnailMaker::has_news() const {
+  const std::scoped_lock lock(mutex_);
+  return !made_.empty();
+}
+
+std::vector<ThumbnailMaker::Made> ThumbnailMaker::take() {
+  const std::scoped_lock lock(mutex_);
+  return std::exchange(made_, {});
+}
+
+std::optional<ThumbnailJob> ThumbnailMaker::next_job(const std::stop_token& stop) {
+  const std::scoped_lock lock(mutex_);
+  drawing_.clear();
+  is_working_ = !waiting_.empty() && !stop.stop_requested();
+  if (!is_working_) return std::nullopt;
+  ThumbnailJob job = std::move(waiting_.front());
+  waiting_.pop_front();
+  drawing_ = job.key;
+  return job;
+}
+
+void ThumbnailMaker::work(const std::stop_token& stop) {
+  lower_thread_priority();
+  Draw draw;
+  while (const auto job = next_job(stop)) {
+    std::optional<Thumbnail> thumbnail;
+    try {
+      if (!draw) draw = make_draw_();
+      thumbnail = draw(*job);
+    } catch (const std::exception&) {
+      // The place for it stays empty
+    }
+    const std::scoped_lock lock(mutex_);
+    if (thumbnail)
+      made_.push_back({job->key, std::move(*thumbnail)});
+    else
+      failed_.push_back(job->key);
+  }
+}
+
+}  // namespace crest

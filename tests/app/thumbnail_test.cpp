@@ -1,0 +1,203 @@
+#include "app/thumbnail.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <fstream>
+#include <thread>
+
+#include "app/thumbnail_maker.h"
+#include "app/thumbnail_store.h"
+#include "presets/error.h"
+#include "presets/preset_file.h"
+#include "render/volume/builtin.h"
+#include "tests/debug_context.h"
+
+namespace crest {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int width = thumbnail_size.x, height = thumbnail_size.y;
+
+Thumbnail noise(std::uint32_t seed) {
+  Thumbnail thumbnail;
+  for (std::uint8_t& byte : thumbnail.rgb) byte = std::uint8_t((seed = seed * 1664525 + 1013904223) >> 24);
+  return thumbnail;
+}
+
+glm::ivec3 pixel_of(const Thumbnail& thumbnail, int x, int y) {
+  const std::size_t at = 3 * (std::size_t(y) * std::size_t(width) + std::size_t(x));
+  return {thumbnail.rgb[at], thumbnail.rgb[at + 1], thumbnail.rgb[at + 2]};
+}
+
+TEST(Thumbnail, OutlivesItsPng) {
+  const Thumbnail thumbnail = noise(1);
+  const auto read = thumbnail_from_png(png_of(thumbnail));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, thumbnail);
+}
+
+TEST(Thumbnail, WhatIsNoThumbnailIsNone) {
+  const std::string png = png_of(noise(2));
+  EXPECT_FALSE(thumbnail_from_png(""));
+  EXPECT_FALSE(thumbnail_from_png("no picture"));
+  EXPECT_FALSE(thumbnail_from_png(png.substr(0, png.size() / 2)));
+  std::string larger = png;
+  larger[19] = char(larger[19] + 1);  // the width that its header tells
+  EXPECT_FALSE(thumbnail_from_png(larger));
+}
+
+TEST(Thumbnail, IsTheMeanOfThePixelsUnderEach) {
+  const glm::ivec2 size{2 * width, 2 * height};
+  std::vector<std::uint8_t> rgba;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x)
+      for (const int v : {x % 2 ? 200 : 100, y % 2 ? 50 : 10, x / 2 % 256, 255})
+        rgba.push_back(std::uint8_t(v));
+  const Thumbnail small = shrunk(rgba, size);
+  EXPECT_EQ(pixel_of(small, 0, 0), glm::ivec3(150, 30, 0));
+  EXPECT_EQ(pixel_of(small, 77, 30), glm::ivec3(150, 30, 77));
+}
+
+TEST(Thumbnail, IsTheMiddleOfAWiderOrHigherPicture) {
+  for (const glm::ivec2 size :
+       {glm::ivec2(3 * width, height), glm::ivec2(width, 3 * height), glm::ivec2(5, 300)}) {
+    std::vector<std::uint8_t> rgba(4 * std::size_t(size.x) * std::size_t(size.y), 0);
+    const std::size_t middle = std::size_t(size.y / 2) * std::size_t(size.x) + std::size_t(size.x / 2);
+    rgba[4 * middle] = 255;
+    const Thumbnail small = shrunk(rgba, size);
+    int brightest = 0;
+    glm::ivec2 place{0};
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        if (const int red = pixel_of(small, x, y).x; red > brightest) brightest = red, place = {x, y};
+    EXPECT_GT(brightest, 0);
+    EXPECT_NEAR(place.x, width / 2, width / 5 + 1);
+    EXPECT_NEAR(place.y, height / 2, 27);
+  }
+}
+
+TEST(Thinned, KeepsTheBoxAndTheField) {
+  const Volume volume = make_builtin("linear?n=65");
+  const Volume small = thinned(volume, 17);
+  EXPECT_EQ(small.grid.dims, glm::ivec3(17));
+  EXPECT_EQ(small.grid.box_max(), volume.grid.box_max());
+  EXPECT_EQ(small.at(3, 5, 7), volume.at(12, 20, 28));
+  EXPECT_EQ(small.at(16, 16, 16), volume.at(64, 64, 64));
+  const Volume same = thinned(volume, 96);
+  EXPECT_EQ(same.values, volume.values);
+}
+
+class Store : public ::testing::Test {
+ protected:
+  Store() { std::filesystem::remove_all(folder); }
+  ~Store() override { std::filesystem::remove_all(folder); }
+  static Thumbnail shown(std::uintptr_t texture) { return thumbnail_of_texture(GLuint(texture)); }
+
+  testing::DebugContext context;
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("crest_thumbnails_" + std::to_string(::getpid()));
+};
+
+TEST_F(Store, APictureIsThereAtTheNextStart) {
+  ThumbnailStore first(folder);
+  EXPECT_EQ(first.texture("a"), 0U);
+  first.put("a", noise(1));
+  first.put("b", noise(2));
+  EXPECT_EQ(shown(first.texture("a")), noise(1));
+  first.put("a", noise(3));
+  ThumbnailStore second(folder);
+  ASSERT_NE(second.texture("a"), 0U);
+  EXPECT_EQ(shown(second.texture("a")), noise(3));
+  EXPECT_EQ(shown(second.texture("b")), noise(2));
+  EXPECT_EQ(second.texture("c"), 0U);
+}
+
+TEST_F(Store, ADamagedFileIsNoPicture) {
+  ThumbnailStore(folder).put("a", noise(1));
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    std::ofstream(entry.path()) << "damage";
+  EXPECT_EQ(ThumbnailStore(folder).texture("a"), 0U);
+}
+
+TEST_F(Store, NoFolderIsNoError) {
+  ThumbnailStore store("");
+  store.put("a", noise(1));
+  EXPECT_EQ(shown(store.texture("a")), noise(1));
+}
+
+/// Draws what a test says, and counts.
+class Maker : public ::testing::Test {
+ protected:
+  ThumbnailMaker::Draw make_draw() {
+    return [this](const ThumbnailJob& job) {
+      ++draws;
+      while (is_held) std::this_thread::sleep_for(1ms);
+      if (job.key == "bad") throw Error("no luck");
+      return noise(std::uint32_t(job.key.front()));
+    };
+  }
+  static ThumbnailJob job(const std::string& key) { return {key, nullptr, "", {}}; }
+  std::vector<std::string> finish() {
+    std::vector<std::string> keys;
+    while (maker.is_busy()) {
+      for (const auto& made : maker.take()) {
+        EXPECT_EQ(made.thumbnail, noise(std::uint32_t(made.key.front())));
+        keys.push_back(made.key);
+      }
+      std::this_thread::sleep_for(1ms);
+    }
+    return keys;
+  }
+
+  std::atomic<bool> is_held = false;
+  std::atomic<int> draws = 0;
+  ThumbnailMaker maker{[this] { return make_draw(); }};
+};
+
+TEST_F(Maker, MakesWhatIsWantedInOrderAgainAndAgain) {
+  maker.want({job("a"), job("b"), job("c")});
+  EXPECT_EQ(finish(), (std::vector<std::string>{"a", "b", "c"}));
+  EXPECT_FALSE(maker.is_busy());
+  maker.want({job("d")});
+  EXPECT_EQ(finish(), std::vector<std::string>{"d"});
+}
+
+TEST_F(Maker, WhatIsNoLongerWantedIsNotBegun) {
+  is_held = true;
+  maker.want({job("a"), job("b"), job("c")});
+  while (draws == 0) std::this_thread::sleep_for(1ms);
+  maker.want({job("a"), job("d")});  // `a` is being drawn
+  is_held = false;
+  EXPECT_EQ(finish(), (std::vector<std::string>{"a", "d"}));
+}
+
+TEST_F(Maker, WhatFailsIsNotTriedAgain) {
+  maker.want({job("bad"), job("a")});
+  EXPECT_EQ(finish(), std::vector<std::string>{"a"});
+  maker.want({job("bad")});
+  EXPECT_EQ(finish(), std::vector<std::string>{});
+  EXPECT_EQ(draws, 2);
+}
+
+TEST(MakerOffscreen, DrawsAPresetOnAVolume) {
+  ThumbnailMaker maker;
+  const auto volume = std::make_shared<const Volume>(make_builtin("sphere?n=24"));
+  maker.want({{"given", volume, "", load_preset("onion")},
+              {"read", nullptr, "builtin:sphere?n=24", load_preset("onion")}});
+  std::vector<ThumbnailMaker::Made> made;
+  while (maker.is_busy()) {
+    for (auto& one : maker.take()) made.push_back(std::move(one));
+    std::this_thread::sleep_for(5ms);
+  }
+  ASSERT_EQ(made.size(), 2U);
+  EXPECT_EQ(made[0].thumbnail, made[1].thumbnail);
+  const glm::ivec3 middle = pixel_of(made[0].thumbnail, width / 2, height / 2);
+  EXPECT_GT(middle.x + middle.y + middle.z, 60) << "shells of a sphere are in the middle";
+  EXPECT_EQ(pixel_of(made[0].thumbnail, 1, 1), glm::ivec3(0));
+}
+
+}  // namespace
+}  // namespace crest

@@ -1,0 +1,64 @@
+#include "ui/history_panel.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "ui/document_changes.h"
+#include "ui/style.h"
+
+namespace crest {
+namespace {
+
+void heading(const char* text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::accent);
+  ImGui::TextUnformatted(text);
+  ImGui::PopStyleColor();
+}
+
+void what_is_not_saved(const Document& document, const StudioInputs& inputs) {
+  heading("Changed since it was saved");
+  if (!inputs.unsaved_changes)
+    ImGui::TextDisabled("Nothing: it is as in %s", preset_label(document).c_str());
+  else if (!inputs.saved)
+    ImGui::TextDisabled("All of it: it stands in no file yet");
+  else
+    change_list(*inputs.saved, document.preset, 6);
+}
+
+}  // namespace
+
+void change_list(const Preset& saved, const Preset& now, std::size_t most) {
+  std::vector<std::string> changes = changes_since(saved, now);
+  if (changes.empty()) changes.emplace_back("Keys of the file that Crest does not know");
+  const std::size_t shown = changes.size() > most ? most - 1 : changes.size();
+  for (std::size_t i = 0; i < shown; ++i) ImGui::BulletText("%s", changes[i].c_str());
+  if (shown < changes.size()) ImGui::TextDisabled("and %zu more", changes.size() - shown);
+}
+
+bool history_panel(Document& document, StudioState& state, const StudioInputs& inputs) {
+  what_is_not_saved(document, inputs);
+  ImGui::Spacing();
+  heading("Steps");
+  ImGui::SameLine();
+  ImGui::TextDisabled("click one to go there");
+  History& history = state.history;
+  std::optional<std::size_t> chosen;
+  ImGui::BeginChild("steps");
+  for (std::size_t i = 0; i < history.steps().size(); ++i) {
+    const bool is_present = i == history.present(), is_undone = i > history.present();
+    const std::string label = fmt::format("{}##{}", history.steps()[i].name, i);
+    if (is_undone) ImGui::PushStyleColor(ImGuiCol_Text, palette::faint);
+    if (ImGui::Selectable(label.c_str(), is_present)) chosen = i;
+    if (is_undone) ImGui::PopStyleColor();
+    note_item(state.widgets, fmt::format("history/{}", i));
+    if (is_present && state.shown_step != i) ImGui::SetScrollHereY();
+  }
+  state.shown_step = history.present();
+  ImGui::EndChild();
+  if (!chosen) return false;
+  history.record(document);
+  return history.go_to(*chosen, document);
+}
+
+}  // namespace crest
