@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/edit_points.h"
 #include "ui/histogram_cache.h"
+#include "ui/move_points.h"
 #include "ui/value_axis.h"
 
 namespace crest {
@@ -17,9 +17,9 @@ enum class HistogramScale { off, linear, logarithmic };
 struct EditorDrag {
   enum class Kind { none, points, axis, box };
   Kind kind = Kind::none;
-  ImVec2 start;                      ///< where the button went down
-  bool under_way = false;            ///< moved far enough to be a drag
-  std::vector<ControlPoint> before;  ///< the points as they were
+  ImVec2 start;             ///< where the button went down
+  bool under_way = false;   ///< moved far enough to be a drag
+  TransferFunction before;  ///< as it was
   Selection selected_before;
   ValueRange visible, whole;  ///< of the axis, held while points are dragged
 };
@@ -31,7 +31,9 @@ struct EditorState {
   OpacityAxis opacity_axis;
   HistogramScale histogram_scale = HistogramScale::logarithmic;
   std::optional<double> new_peak_width;  ///< in the TF's values; without it, a share of what is in sight
-  bool peak_rule = false;                ///< the row of fields that say what a peak is
+  Neighbours neighbours = Neighbours::free;
+  bool type_value = false;  ///< the value's field is to be typed in, next
+  bool peak_rule = false;   ///< the row of fields that say what a peak is
   EditorDrag drag;
   HistogramCache histogram;
   double menu_value = 0, menu_opacity = 0;  ///< where the right-click menu was opened

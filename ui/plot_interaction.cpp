@@ -31,7 +31,7 @@ void toggle(Selection& selection, std::size_t i) {
 void begin_drag(EditorState& editor, EditorDrag::Kind kind, const TransferFunction& tf, const Plot& plot,
                 ValueRange whole) {
   editor.drag =
-      EditorDrag{kind, ImGui::GetIO().MousePos, false, tf.points, editor.selection, plot.axis.visible, whole};
+      EditorDrag{kind, ImGui::GetIO().MousePos, false, tf, editor.selection, plot.axis.visible, whole};
 }
 
 bool press_left(TransferFunction& tf, EditorState& editor, const Plot& plot, ValueRange whole) {
@@ -70,7 +70,7 @@ bool press_left(TransferFunction& tf, EditorState& editor, const Plot& plot, Val
 /// Of points that lie on one another, the one that can go the way of the drag.
 void choose_among_coincident(EditorState& editor, const Plot& plot, float dx) {
   if (editor.selection.size() != 1 || dx == 0) return;
-  const auto& points = editor.drag.before;
+  const auto& points = editor.drag.before.points;
   const ControlPoint& taken = points[editor.selection[0]];
   std::size_t chosen = editor.selection[0];
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -78,27 +78,39 @@ void choose_among_coincident(EditorState& editor, const Plot& plot, float dx) {
         points[i].value == taken.value && std::abs(plot.place(points[i]).y - plot.place(taken).y) < 2;
     if (coincides && (dx < 0 ? i < chosen : i > chosen)) chosen = i;
   }
-  editor.selection = {chosen};
+  editor.selection = editor.drag.selected_before = {chosen};
+}
+
+/// The selected points of `before` go `shift` along the axis, rounded to `resolution`.
+Moved shifted(const TransferFunction& before, const Selection& selection, double shift, double resolution,
+              double per_pixel, Neighbours neighbours) {
+  const std::size_t anchor = selection[selection.size() / 2];
+  const double to = round_to_resolution(before.points[anchor].value + shift, resolution);
+  return moved(before, whole_of(before, selection, near_flank * per_pixel), anchor, to, neighbours);
 }
 
 bool drag_points(TransferFunction& tf, EditorState& editor, const Plot& plot, ImVec2 shift) {
   const EditorDrag& drag = editor.drag;
   if (ImGui::GetIO().KeyShift) (std::abs(shift.x) >= std::abs(shift.y) ? shift.y : shift.x) = 0;
   const double per_pixel = plot.axis.value_per_pixel();
-  std::vector<ControlPoint> points =
-      shift.x != 0
-          ? moved(drag.before, with_near_flanks(drag.before, editor.selection, near_flank * per_pixel),
-                  double(shift.x) * per_pixel, per_pixel)
-          : drag.before;
+  const Selection& dragged = drag.selected_before;
+  Moved result{drag.before.points, {}};
+  editor.selection = dragged;
+  if (shift.x != 0 && !dragged.empty()) {
+    result =
+        shifted(drag.before, dragged, double(shift.x) * per_pixel, per_pixel, per_pixel, editor.neighbours);
+    editor.selection = result.of(dragged);
+  }
   if (shift.y != 0)
-    for (const std::size_t i : editor.selection) {
-      const double opacity = plot.opacity_at(plot.y_of(drag.before[i].opacity) + shift.y);
+    for (const std::size_t i : dragged) {
+      const double opacity = plot.opacity_at(plot.y_of(drag.before.points[i].opacity) + shift.y);
       const double resolution =
           plot.opacity_axis.logarithmic ? 0.02 * opacity : 1.0 / double(plot.high.y - plot.low.y);
-      points[i].opacity = std::clamp(round_to_resolution(opacity, resolution), 0.0, 1.0);
+      result.points[shift.x != 0 ? result.now_at[i] : i].opacity =
+          std::clamp(round_to_resolution(opacity, resolution), 0.0, 1.0);
     }
-  if (points == tf.points) return false;
-  tf.points = std::move(points);
+  if (result.points == tf.points) return false;
+  tf.points = std::move(result.points);
   return true;
 }
 
@@ -163,13 +175,14 @@ void walk(Selection& selection, std::size_t count, int direction) {
 
 }  // namespace
 
-double new_peak_width(const EditorState& editor, ValueRange visible) {
-  return editor.new_peak_width.value_or(
-      round_to_resolution(share_of_view * visible.width(), 0.1 * share_of_view * visible.width()));
+double new_peak_width(const TransferFunction& tf, const EditorState& editor, ValueRange visible) {
+  const double width = share_of_view * visible.width(), limit = widest_spike(tf);
+  return editor.new_peak_width.value_or(std::min(round_to_resolution(width, 0.1 * width), limit));
 }
 
 bool add_peak(TransferFunction& tf, EditorState& editor, double value, double opacity, double width) {
   editor.selection = {insert_peak(tf, value, opacity, width, peak_color(tf.points.size() / 3))};
+  editor.type_value = true;
   return true;
 }
 
@@ -224,9 +237,12 @@ bool handle_plot_keys(TransferFunction& tf, EditorState& editor, const Plot& plo
   const float pixels = io.KeyShift ? 10 : io.KeyAlt ? 0.1F : 1;
   const double per_pixel = plot.axis.value_per_pixel();
   const std::vector<ControlPoint> before = tf.points;
-  if (across != 0)
-    tf.points = moved(tf.points, with_near_flanks(tf.points, editor.selection, near_flank * per_pixel),
-                      double(pixels) * across * per_pixel, 0.1 * per_pixel);
+  if (across != 0) {
+    const Moved result = shifted(tf, editor.selection, double(pixels) * across * per_pixel, 0.1 * per_pixel,
+                                 per_pixel, editor.neighbours);
+    tf.points = result.points;
+    editor.selection = result.of(editor.selection);
+  }
   if (upward != 0)
     for (const std::size_t i : editor.selection) {
       const double unit = plot.opacity_axis.unit_of(tf.points[i].opacity);

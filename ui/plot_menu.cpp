@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ui/number_field.h"
 #include "ui/plot_interaction.h"
 #include "ui/transfer_function_editor.h"
 
@@ -28,7 +29,7 @@ bool point_menu(TransferFunction& tf, EditorState& editor, WidgetState& widgets)
     changed = true;
   }
   if (point.surface.opacity)
-    changed |= number_field(widgets, "##surface opacity", *point.surface.opacity, {0, 1}, scaled(120));
+    changed |= number_field(widgets, "##surface opacity", *point.surface.opacity, unit_interval, scaled(120));
   ImGui::Separator();
   if (ImGui::MenuItem("Make step", nullptr, false, editor.selection.size() == 1)) {
     editor.selection = {make_step(tf, editor.selection[0])};
@@ -52,7 +53,8 @@ bool place_menu(TransferFunction& tf, EditorState& editor, WidgetState& widgets,
   }
   note_item(widgets, "Add point");
   if (ImGui::MenuItem("Add peak"))
-    changed |= add_peak(tf, editor, editor.menu_value, editor.menu_opacity, new_peak_width(editor, visible));
+    changed |=
+        add_peak(tf, editor, editor.menu_value, editor.menu_opacity, new_peak_width(tf, editor, visible));
   note_item(widgets, "Add peak");
   if (ImGui::MenuItem("Add step")) {
     editor.selection = {insert_step(tf, editor.menu_value, editor.menu_opacity)};

@@ -60,7 +60,8 @@ void quit_question(Document& document, StudioState& state, const StudioInputs& i
                    StudioRequests& requests) {
   if (inputs.close_requested) state.quit_asked = true;
   constexpr const char* title = "Unsaved changes";
-  if (state.quit_asked && !ImGui::IsPopupOpen(title)) {
+  // Whether what was typed last is saved is known in the next frame.
+  if (state.quit_asked && !ImGui::IsPopupOpen(title) && !state.widgets.number_taken) {
     if (!inputs.unsaved_changes) {
       requests.quit = true;
       state.quit_asked = false;

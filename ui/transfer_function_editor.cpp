@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "presets/number_text.h"
 #include "ui/editor_fields.h"
 #include "ui/plot.h"
 #include "ui/plot_interaction.h"
