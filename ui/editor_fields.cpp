@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ui/number_field.h"
-#include "ui/plot_interaction.h"
+#include "ui/point_tools.h"
 
 namespace crest {
 namespace {
@@ -27,10 +27,21 @@ std::string stopped(double to, ValueRange room) {
                      exact_text(std::clamp(to, room.min, room.max)));
 }
 
-/// What is typed moves the first selected point, and all that goes with the selection by the same difference.
+/// The point for which a typed value is meant: the top of what is selected, or the first point.
+std::size_t anchor_of(const TransferFunction& tf, const Selection& selection) {
+  const auto higher = [&](std::size_t a, std::size_t b) {
+    return tf.points[a].opacity < tf.points[b].opacity;
+  };
+  const std::size_t top = *std::ranges::max_element(selection, higher);
+  const auto as_high = std::ranges::count_if(
+      selection, [&](std::size_t i) { return tf.points[i].opacity == tf.points[top].opacity; });
+  return as_high == 1 && top != selection.back() ? top : selection[0];
+}
+
+/// What is typed moves the anchor, and all that goes with the selection by the same difference.
 bool value_field(TransferFunction& tf, EditorState& editor, WidgetState& widgets, float width) {
   const Selection moving = whole_of(tf, editor.selection);
-  const std::size_t anchor = editor.selection[0];
+  const std::size_t anchor = anchor_of(tf, editor.selection);
   const double value = tf.points[anchor].value;
   const std::vector<double> values = of_selected(tf, editor.selection, &ControlPoint::value);
   const auto why_not = [&](const NumberEdit& edit) {
@@ -40,10 +51,12 @@ bool value_field(TransferFunction& tf, EditorState& editor, WidgetState& widgets
     return editor.neighbours == Neighbours::stop ? stopped(to, room_of(tf.points, moving, anchor))
                                                  : std::string();
   };
+  field_label(values.size() == 1 ? "Value" : anchor == editor.selection[0] ? "First" : "Top");
   if (std::exchange(editor.type_value, false)) ImGui::SetKeyboardFocusHere();
   const auto edit = number_entry(widgets, "##value", numbers_text(values, width), why_not, width);
   tip(values.size() > 1
-          ? "Of the first selected point; the others go along.\n+=5 moves them all by 5"
+          ? "Of the top of the selected points, or of the first; the others go along.\n+=5 moves them all by "
+            "5"
           : "A peak, spike or step moves as a whole. +=5 moves it by 5;\nNeighbours says what happens to "
             "the points in its way");
   if (!edit) return false;
@@ -91,31 +104,54 @@ bool surface_choice(TransferFunction& tf, const EditorState& editor, WidgetState
   return true;
 }
 
-}  // namespace
-
-bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widgets, ValueRange visible) {
-  bool changed = false;
-  if (ImGui::Button("Add peak")) {
-    const double middle = widest_gap(tf, visible);
-    changed |= add_peak(tf, editor, round_to_resolution(middle, 0.01 * visible.width()), 0.8,
-                        new_peak_width(tf, editor, visible));
+/// What the plot shows behind the curve, and its axis of opacities.
+void plot_choices(EditorState& editor, WidgetState& widgets) {
+  static constexpr std::string_view scales[] = {"no histogram", "linear histogram", "logarithmic histogram"};
+  for (int i = 0; i < 3; ++i) {
+    const std::string text(scales[std::size_t(i)]);
+    if (ImGui::MenuItem(text.c_str(), nullptr, int(editor.histogram_scale) == i))
+      editor.histogram_scale = HistogramScale(i);
+    note_item(widgets, text);
   }
-  note_item(widgets, "add peak");
-  tip("Adds a spike where there is most room.\nThe right-click menu adds one under the mouse.");
-  ImGui::SameLine();
-  field_label("width");
-  double width = new_peak_width(tf, editor, visible);
-  if (number_field(widgets, "##peak width", width, not_negative, scaled(70))) editor.new_peak_width = width;
-  tip("Width of a new peak, in values; 0 makes a true spike");
-  ImGui::SameLine();
-  static constexpr std::string_view scales[] = {"no histogram", "linear hist.", "log hist."};
-  int scale = int(editor.histogram_scale);
-  if (choice(widgets, "##histogram", scale, scales, scaled(98)))
-    editor.histogram_scale = HistogramScale(scale);
-  ImGui::SameLine();
-  ImGui::Checkbox("log opacity", &editor.opacity_axis.logarithmic);
+  ImGui::Separator();
+  ImGui::MenuItem("log opacity", nullptr, &editor.opacity_axis.logarithmic);
   note_item(widgets, "log opacity");
   tip("Opacities from 1e-6 to 1 by their logarithm");
+}
+
+}  // namespace
+
+bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widgets, ValueRange volume,
+                    ValueRange visible) {
+  bool changed = false;
+  const auto opens_menu = [&](const char* text, const char* popup) {
+    ImGui::SameLine();
+    if (ImGui::Button(text)) ImGui::OpenPopup(popup);
+    note_item(widgets, popup);
+    return ImGui::BeginPopup(popup);
+  };
+  if (ImGui::Button("Add peak")) changed |= add_shape(tf, editor, Shape::spike, visible);
+  note_item(widgets, "add peak");
+  tip("Adds a spike where there is most room; type where it is to be (also: P).\nThe right-click menu adds "
+      "one "
+      "under the mouse.");
+  ImGui::SameLine();
+  field_label("width");
+  double width = new_width(tf, editor, Shape::spike, visible);
+  if (number_field(widgets, "##peak width", width, not_negative, scaled(66))) editor.new_peak_width = width;
+  tip("Width of what is added, in values; 0 makes a true spike");
+  if (opens_menu("Shapes", "shapes")) {
+    changed |= shapes_menu(tf, editor, widgets, visible);
+    ImGui::EndPopup();
+  }
+  if (opens_menu("Points", "points")) {
+    changed |= points_menu(tf, editor, widgets, volume, visible);
+    ImGui::EndPopup();
+  }
+  if (opens_menu("Plot", "plot shows")) {
+    plot_choices(editor, widgets);
+    ImGui::EndPopup();
+  }
   ImGui::SameLine();
   if (ImGui::Button("Fit")) editor.visible.reset();
   note_item(widgets, "fit");
@@ -142,7 +178,6 @@ bool point_fields(TransferFunction& tf, EditorState& editor, WidgetState& widget
   }
   const float spare = ImGui::GetContentRegionAvail().x;
   const float field = std::clamp((spare - scaled(rest_of_row)) / 2, scaled(least_field), scaled(150));
-  field_label("Value");
   changed |= value_field(tf, editor, widgets, field);
   ImGui::SameLine();
   field_label("Opacity");

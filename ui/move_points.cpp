@@ -59,7 +59,10 @@ std::vector<bool> joined_points(const TransferFunction& tf, const Selection& mov
   std::vector<bool> joined(tf.points.size());
   for (std::size_t i = 1; i < tf.points.size(); ++i) joined[i] = tf.points[i].value == tf.points[i - 1].value;
   for (const Peak& peak : find_peaks(tf))
-    if (peak.spike) std::fill_n(joined.begin() + std::ptrdiff_t(peak.left) + 1, peak.right - peak.left, true);
+    if (peak.spike) {
+      const PointRange shape = points_of(tf, peak);
+      std::fill_n(joined.begin() + std::ptrdiff_t(shape.first) + 1, shape.last - shape.first, true);
+    }
   for (std::size_t i = 0; i < joined.size(); ++i)
     if (contains(moving, i) || (i > 0 && contains(moving, i - 1))) joined[i] = false;
   return joined;
@@ -99,39 +102,64 @@ bool is_same(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 /// The peaks that stand on the curve beneath, or may: spikes, and those that move as a whole.
-std::vector<Peak> standing_peaks(const TransferFunction& tf, const Selection& moving) {
-  std::vector<Peak> peaks = find_peaks(tf);
-  std::erase_if(peaks, [&](const Peak& peak) {
-    return !peak.detected || (!peak.spike && !contains(moving, peak.left, peak.right));
-  });
-  return peaks;
+std::vector<PointRange> standing_peaks(const TransferFunction& tf, const Selection& moving) {
+  std::vector<PointRange> standing;
+  for (const Peak& peak : find_peaks(tf)) {
+    const PointRange shape = points_of(tf, peak);
+    if (peak.detected && (peak.spike || contains(moving, shape.first, shape.last))) standing.push_back(shape);
+  }
+  return standing;
 }
 
-/// Feet that stood on the curve - all points but those of standing peaks - stand on it again.
-void stand_on_curve(Points& after, const TransferFunction& before, const Selection& moving) {
-  const std::vector<Peak> peaks = standing_peaks(before, moving);
-  Selection shapes;
-  for (const Peak& peak : peaks)
-    for (std::size_t i = std::max(peak.left, shapes.empty() ? 0 : shapes.back() + 1); i <= peak.right; ++i)
-      shapes.push_back(i);
-  const TransferFunction old_curve = without(before, before.points, shapes);
-  TransferFunction new_curve = without(before, after, shapes);
-  if (old_curve.points.empty()) return;
-  std::ranges::stable_sort(new_curve.points, {}, &ControlPoint::value);
-  const auto stand = [&](std::size_t foot, const Classified& place) {
-    const ControlPoint& was = before.points[foot];
-    for (const Classified& on : {evaluate_left(old_curve, was.value), evaluate_right(old_curve, was.value)}) {
+/// The curve beneath before and after a move: all points but those of the peaks that stand on it.
+struct CurveBeneath {
+  TransferFunction before, after;
+
+  /// What `point` has at its new place, if it stood on the curve.
+  void stand(const ControlPoint& was, ControlPoint& point, const Classified& place) const {
+    for (const Classified& on : {evaluate_left(before, was.value), evaluate_right(before, was.value)}) {
       if (std::abs(on.opacity - was.opacity) > 1e-9) continue;
-      after[foot].opacity = std::clamp(place.opacity, 0.0, 1.0);
-      if (is_same(on.color, was.color)) after[foot].color = place.color;
+      point.opacity = std::clamp(place.opacity, 0.0, 1.0);
+      if (is_same(on.color, was.color)) point.color = place.color;
       return;
     }
+  }
+  /// Between foot and top a point keeps its share of the height.
+  void keep_share(const ControlPoint& was, ControlPoint& point, double top) const {
+    const double old_floor = evaluate(before, was.value).opacity,
+                 floor = evaluate(after, point.value).opacity;
+    if (was.opacity >= top || !(top > old_floor)) return;
+    const double share = (was.opacity - old_floor) / (top - old_floor);
+    point.opacity = std::clamp(std::lerp(floor, top, share), 0.0, 1.0);
+  }
+};
+
+void stand_on_curve(Points& after, const TransferFunction& before, const Selection& moving) {
+  const std::vector<PointRange> peaks = standing_peaks(before, moving);
+  Selection shapes;
+  for (const PointRange& peak : peaks)
+    for (std::size_t i = std::max(peak.first, shapes.empty() ? 0 : shapes.back() + 1); i <= peak.last; ++i)
+      shapes.push_back(i);
+  CurveBeneath curve{without(before, before.points, shapes), without(before, after, shapes)};
+  if (curve.before.points.empty()) return;
+  std::ranges::stable_sort(curve.after.points, {}, &ControlPoint::value);
+  const auto stands = [&](std::size_t foot) {
+    const ControlPoint& p = before.points[foot];
+    return std::abs(evaluate(curve.before, p.value).opacity - p.opacity) <= 1e-9;
   };
-  for (const Peak& peak : peaks) {
-    stand(peak.left, evaluate_right(new_curve, after[peak.left].value));
-    stand(peak.right, evaluate_left(new_curve, after[peak.right].value));
+  for (const PointRange& peak : peaks) {
+    const auto place = [&](std::size_t i) { return after[i].value; };
+    curve.stand(before.points[peak.first], after[peak.first], evaluate_right(curve.after, place(peak.first)));
+    curve.stand(before.points[peak.last], after[peak.last], evaluate_left(curve.after, place(peak.last)));
+    if (!stands(peak.first) || !stands(peak.last)) continue;
+    double top = 0;
+    for (std::size_t i = peak.first; i <= peak.last; ++i) top = std::max(top, before.points[i].opacity);
+    for (std::size_t i = peak.first + 1; i < peak.last; ++i)
+      curve.keep_share(before.points[i], after[i], top);
   }
 }
+
+}  // namespace
 
 Moved in_order(const Points& points) {
   std::vector<std::size_t> order(points.size());
@@ -145,7 +173,24 @@ Moved in_order(const Points& points) {
   return result;
 }
 
-}  // namespace
+PointRange points_of(const TransferFunction& tf, const Peak& peak) {
+  const auto& points = tf.points;
+  PointRange range{peak.left, peak.right};
+  if (!peak.detected) return range;
+  const double apex = std::midpoint(points[peak.first_point].value, points[peak.last_point].value);
+  const auto is_alike = [&](std::size_t low, std::size_t high) {
+    const double left = apex - points[low].value, right = points[high].value - apex;
+    return std::abs(left - right) <= 1e-9 * (std::abs(apex) + left);
+  };
+  while (range.first > 0 && range.last + 1 < points.size() && is_alike(range.first, range.last) &&
+         is_alike(range.first - 1, range.last + 1) &&
+         points[range.first - 1].opacity < points[range.first].opacity &&
+         points[range.last + 1].opacity < points[range.last].opacity) {
+    --range.first;
+    ++range.last;
+  }
+  return range;
+}
 
 Selection whole_of(const TransferFunction& tf, const Selection& selection, double reach) {
   const auto& points = tf.points;
@@ -156,7 +201,8 @@ Selection whole_of(const TransferFunction& tf, const Selection& selection, doubl
     const double apex = points[peak.first_point].value;
     const bool is_near = apex - points[peak.left].value < reach || points[peak.right].value - apex < reach;
     if (!peak.detected || !is_selected || !is_near) continue;
-    for (std::size_t i = peak.left; i <= peak.right; ++i) all.push_back(i);
+    const PointRange shape = points_of(tf, peak);
+    for (std::size_t i = shape.first; i <= shape.last; ++i) all.push_back(i);
   }
   for (const std::size_t i : selection) {
     const auto at_value = std::ranges::equal_range(points, points[i].value, {}, &ControlPoint::value);
@@ -213,32 +259,34 @@ void set_peak_width(TransferFunction& tf, const Peak& peak, double width) {
       peak.right <= peak.last_point)
     return;
   const TransferFunction before = tf;
+  const auto [left, right] = points_of(tf, peak);
   auto& points = tf.points;
-  const double low = peak.left > 0 ? points[peak.left - 1].value : -infinity;
-  const double high = peak.right + 1 < points.size() ? points[peak.right + 1].value : infinity;
+  const double low = left > 0 ? points[left - 1].value : -infinity;
+  const double high = right + 1 < points.size() ? points[right + 1].value : infinity;
   const double first = points[peak.first_point].value, last = points[peak.last_point].value;
   const double apex = (first + last) / 2;
-  const double old_width = points[peak.right].value - points[peak.left].value;
+  const double old_width = points[right].value - points[left].value;
   // A spike of no width has no proportions: its flanks go half the width to each side.
   const auto place = [&](double value, double side) {
     const double offset = old_width > 0 ? (value - apex) / old_width * width : side * width / 2;
     const double scale = std::max(std::abs(apex), std::abs(apex + offset));
     return std::clamp(without_noise(apex + offset, scale), low, high);
   };
-  for (std::size_t i = peak.left; i < peak.first_point; ++i)
+  for (std::size_t i = left; i < peak.first_point; ++i)
     points[i].value = std::min(place(points[i].value, -1), first);
-  for (std::size_t i = peak.last_point + 1; i <= peak.right; ++i)
+  for (std::size_t i = peak.last_point + 1; i <= right; ++i)
     points[i].value = std::max(place(points[i].value, 1), last);
   if (peak.first_point != peak.last_point)
     for (std::size_t i = peak.first_point; i <= peak.last_point; ++i)
       points[i].value = place(points[i].value, 0);
-  Selection moving(peak.right - peak.left + 1);
-  std::iota(moving.begin(), moving.end(), peak.left);
+  Selection moving(right - left + 1);
+  std::iota(moving.begin(), moving.end(), left);
   stand_on_curve(points, before, moving);
 }
 
 double peak_width(const TransferFunction& tf, const Peak& peak) {
-  const double low = tf.points[peak.left].value, high = tf.points[peak.right].value;
+  const PointRange shape = points_of(tf, peak);
+  const double low = tf.points[shape.first].value, high = tf.points[shape.last].value;
   return without_noise(high - low, std::max(std::abs(low), std::abs(high)));
 }
 

@@ -11,6 +11,13 @@ namespace crest {
 /// pushed along, spikes and steps as a whole.
 enum class Neighbours { free, stop, push };
 
+/// The points of a peak: from where its flanks begin to where they end. Flanks of several pieces, as a
+/// Gaussian's, count as far as they go down alike on both sides.
+struct PointRange {
+  std::size_t first = 0, last = 0;
+};
+PointRange points_of(const TransferFunction& tf, const Peak& peak);
+
 /// The selection with what belongs to it: with a peak's top its flanks, if one of them is nearer than
 /// `reach`; with one point of a step the other.
 Selection whole_of(const TransferFunction& tf, const Selection& selection,
@@ -22,6 +29,9 @@ struct Moved {
   std::vector<std::size_t> now_at;  ///< by the index before
   Selection of(const Selection& before) const;
 };
+
+/// Puts points in the order of their values; those that share one keep theirs.
+Moved in_order(const std::vector<ControlPoint>& points);
 
 /// `before` with the points of `moving` shifted so that `anchor`, one of them, gets the value `to`. The feet
 /// of peaks that move as a whole keep to the curve beneath, which is that of all other points, if they stood

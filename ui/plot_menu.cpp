@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "ui/number_field.h"
-#include "ui/plot_interaction.h"
+#include "ui/point_tools.h"
 #include "ui/transfer_function_editor.h"
 
 namespace crest {
@@ -52,15 +52,16 @@ bool place_menu(TransferFunction& tf, EditorState& editor, WidgetState& widgets,
     changed = true;
   }
   note_item(widgets, "Add point");
-  if (ImGui::MenuItem("Add peak"))
-    changed |=
-        add_peak(tf, editor, editor.menu_value, editor.menu_opacity, new_peak_width(tf, editor, visible));
-  note_item(widgets, "Add peak");
-  if (ImGui::MenuItem("Add step")) {
-    editor.selection = {insert_step(tf, editor.menu_value, editor.menu_opacity)};
-    changed = true;
+  for (const auto& [text, shape] : {std::pair{"Add peak", Shape::spike},
+                                    {"Add tent", Shape::tent},
+                                    {"Add box", Shape::box},
+                                    {"Add Gaussian", Shape::gaussian},
+                                    {"Add ramp", Shape::ramp},
+                                    {"Add step", Shape::step}}) {
+    if (ImGui::MenuItem(text))
+      changed |= add_shape(tf, editor, shape, editor.menu_value, editor.menu_opacity, visible);
+    note_item(widgets, text);
   }
-  note_item(widgets, "Add step");
   return changed;
 }
 
@@ -74,6 +75,11 @@ bool plot_menus(Document& document, EditorState& editor, WidgetState& widgets, c
     changed |=
         editor.selection.empty() ? place_menu(tf, editor, widgets, visible) : point_menu(tf, editor, widgets);
     ImGui::Separator();
+    if (ImGui::BeginMenu("Points")) {
+      const ValueRange volume = inputs.volume ? inputs.volume->statistics.range : ValueRange{};
+      changed |= points_menu(tf, editor, widgets, volume, visible);
+      ImGui::EndMenu();
+    }
     if (!editor.selection.empty() && ImGui::MenuItem("Zoom to selection", "F"))
       frame_selection(document, editor, inputs);
     if (ImGui::MenuItem("Show all values")) editor.visible.reset();

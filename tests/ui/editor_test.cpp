@@ -11,6 +11,7 @@ using Editor = Studio;
 ImVec2 moved_by(ImVec2 place, float x, float y) { return {place.x + x, place.y + y}; }
 
 TEST_F(Editor, DraggingMovesAPointAndOneUndoTakesItBack) {
+  state->editor.snap = false;
   const Document before = document;
   const double step = pixel_value();
   drag(place_of(2), moved_by(place_of(2), 40, 60));
@@ -278,6 +279,7 @@ TEST_F(Editor, WheelZoomsAboutTheMouseAndFitShowsAll) {
 }
 
 TEST_F(Editor, ANarrowPeakCanBeDrawnAndDraggedZoomedIn) {
+  state->editor.snap = false;
   tf().points = points_of({{0, 0}, {40 - 0.005, 0}, {40, 0.9}, {40 + 0.005, 0}, {100, 0}});
   state->editor.selection = {1, 2, 3};
   frames(2);
@@ -316,6 +318,7 @@ TEST_F(Editor, MiddleDragPansAndAxisDoubleClickFits) {
 }
 
 TEST_F(Editor, TheLogarithmicAxisReachesSmallOpacities) {
+  click("plot shows");
   click("log opacity");
   EXPECT_TRUE(state->editor.opacity_axis.logarithmic);
   drag(place_of(2), place_of(50, 1e-5));
@@ -399,6 +402,7 @@ TEST_F(Editor, OfPointsAtOnePlaceTheOneGoesThatCan) {
 }
 
 TEST_F(Editor, NormalizedFunctionsAreShownOverTheUnitRange) {
+  state->editor.snap = false;
   tf().domain = Domain::normalized;
   tf().points = points_of({{0, 0}, {0.5, 0.8}, {1, 0}});
   frames(3);
