@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <regex>
 
 #include "presets/error.h"
 #include "presets/json.h"
+#include "presets/number_text.h"
 #include "presets/preset_file.h"
 #include "presets/preset_json.h"
 
@@ -15,11 +15,10 @@ namespace {
 
 /// "40", "40ms", "2.5".
 double budget_option(const std::string& text) {
-  std::smatch match;
-  static const std::regex form(R"((\d{1,9}(?:\.\d{1,9})?)(ms)?)");
-  if (!std::regex_match(text, match, form) || std::stod(match[1]) <= 0)
+  const TypedNumber typed = read_number(text.ends_with("ms") ? text.substr(0, text.size() - 2) : text);
+  if (!typed.number || *typed.number <= 0 || *typed.number > 1e9)
     throw UsageError("--budget", fmt::format("'{}' is not a frame's time in milliseconds, as in 40", text));
-  return std::stod(match[1]);
+  return *typed.number;
 }
 
 Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }

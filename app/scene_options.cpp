@@ -8,17 +8,24 @@
 
 #include "presets/error.h"
 #include "presets/names.h"
+#include "presets/number_text.h"
 #include "presets/preset_file.h"
 #include "render/gl/render_target.h"
 #include "render/scene/camera.h"
 #include "render/scene/exact.h"
+#include "render/volume/query.h"
 
 namespace crest {
 namespace {
 
-/// "x,y,z" as a preset's field.
+/// "x,y,z" as a preset's field; each as people write numbers.
 std::string triple(const std::string& path, const std::string& text) {
-  return fmt::format("{}=[{}]", path, text);
+  std::string array;
+  for (const std::string_view part : split(text, ',')) {
+    const TypedNumber typed = read_number(part);
+    array += fmt::format("{}{}", array.empty() ? "" : ",", typed.number ? exact_text(*typed.number) : part);
+  }
+  return fmt::format("{}=[{}]", path, array);
 }
 
 /// The preset with one field as an option says. A wrong field or value is a fault of the command line.

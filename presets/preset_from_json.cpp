@@ -9,6 +9,7 @@
 #include "presets/fields.h"
 #include "presets/json.h"
 #include "presets/names.h"
+#include "presets/number_text.h"
 #include "presets/preset_json.h"
 
 namespace crest {
@@ -32,24 +33,14 @@ struct Path {
   throw Error(text.empty() ? what : text + ": " + what);
 }
 
-/// "[0, 1]", "(0, 180)", or in words where there is one bound.
-std::string complaint(const FieldRule& rule) {
-  if (rule.max == any_value.max && rule.min != any_value.min)
-    return fmt::format("is not {} {}", rule.open_min ? "greater than" : "at least", rule.min);
-  return fmt::format("is not in {}{}, {}{}", rule.open_min ? '(' : '[', rule.min, rule.max,
-                     rule.open_max ? ')' : ']');
-}
-
 // read(json, path, value, rule) reads one field of each type.
 
 void read(const Json& json, const Path& path, double& value, const FieldRule& rule) {
   if (!json.is_number()) fail(path, fmt::format("{} is not a number", summary_of(json)));
   value = json.get<double>();
-  if (std::abs(value) > any_value.max)
-    fail(path, fmt::format("{} {}", summary_of(json), complaint(any_value)));
-  const bool inside = (rule.open_min ? value > rule.min : value >= rule.min) &&
-                      (rule.open_max ? value < rule.max : value <= rule.max);
-  if (!inside) fail(path, fmt::format("{} {}", summary_of(json), complaint(rule)));
+  for (const FieldRule& each : {any_value, rule})
+    if (const std::string why = why_outside(value, each); !why.empty())
+      fail(path, fmt::format("{} {}", summary_of(json), why));
 }
 
 void read(const Json& json, const Path& path, int& value, const FieldRule& rule) {

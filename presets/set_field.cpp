@@ -4,6 +4,7 @@
 
 #include "presets/error.h"
 #include "presets/json.h"
+#include "presets/number_text.h"
 #include "presets/preset_file.h"
 #include "presets/preset_json.h"
 
@@ -59,6 +60,15 @@ Json& find(Json& root, std::string_view path) {
   return *json;
 }
 
+/// What is no JSON: a number as people write it, for a field that holds one; else a text without quotes.
+Json as_typed(std::string_view value, const Json& before, std::string_view path) {
+  if (before.is_string()) return value;
+  const TypedNumber typed = read_number(value);
+  if (typed.number) return *typed.number;
+  if (before.is_number()) throw Error(fmt::format("{}: {}", path, typed.wrong));
+  return value;
+}
+
 }  // namespace
 
 Preset set_field(const Preset& preset, std::string_view path_and_value) {
@@ -75,7 +85,8 @@ Preset set_field(const Preset& preset, std::string_view path_and_value) {
         fmt::format("{}: there is no clip box yet; set it whole, as in "
                     "rendering.clip_box={{\"min\":[0,0,0],\"max\":[1,1,1]}}",
                     path));
-  find(json, path) = Json::accept(value) ? parse_json(value) : Json(value);
+  Json& field = find(json, path);
+  field = Json::accept(value) ? parse_json(value) : as_typed(value, field, path);
   return preset_from_json(std::move(json));
 }
 

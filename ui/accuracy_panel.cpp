@@ -8,6 +8,7 @@
 #include "ui/accuracy_answers.h"
 #include "ui/accuracy_shown.h"
 #include "ui/accuracy_table.h"
+#include "ui/number_field.h"
 #include "ui/style.h"
 
 namespace crest {
@@ -65,7 +66,7 @@ void target_row(TargetError& target, WidgetState& widgets) {
   tip("The error up the diagram, over premultiplied RGBA in [0, 1]");
   ImGui::SameLine();
   field_label("at most");
-  number_field(widgets, "##target error", target.most, {0, 1}, field);
+  number_field(widgets, "##target error", target.most, unit_interval, field);
   tip("The target. Filled marks meet it; the cheapest of them is recommended.");
 }
 

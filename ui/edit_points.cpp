@@ -2,14 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "ui/value_axis.h"
 
 namespace crest {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 ControlPoint point_at(double value, const Classified& curve) {
   ControlPoint point;
@@ -34,22 +29,6 @@ bool contains(const Selection& selection, std::size_t i) {
   return std::binary_search(selection.begin(), selection.end(), i);
 }
 
-/// For each point the values of the nearest points beside it that are not selected.
-std::vector<ValueRange> rooms_of(const std::vector<ControlPoint>& points, const Selection& selection) {
-  std::vector<ValueRange> rooms(points.size(), {-infinity, infinity});
-  double nearest = -infinity;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    rooms[i].min = nearest;
-    if (!contains(selection, i)) nearest = points[i].value;
-  }
-  nearest = infinity;
-  for (std::size_t i = points.size(); i-- > 0;) {
-    rooms[i].max = nearest;
-    if (!contains(selection, i)) nearest = points[i].value;
-  }
-  return rooms;
-}
-
 }  // namespace
 
 std::size_t insert_point(TransferFunction& tf, double value, double opacity) {
@@ -72,6 +51,10 @@ std::size_t insert_peak(TransferFunction& tf, double value, double opacity, doub
   insert_at(tf, place,
             {point_at(left, evaluate_right(tf, left)), apex, point_at(right, evaluate_left(tf, right))});
   return place + 1;
+}
+
+double widest_spike(const TransferFunction& tf) {
+  return tf.points.empty() ? 0 : tf.spike_width * tf.range().width();
 }
 
 double widest_gap(const TransferFunction& tf, ValueRange range) {
@@ -110,69 +93,6 @@ std::size_t make_step(TransferFunction& tf, std::size_t point) {
 void erase_points(TransferFunction& tf, const Selection& selection) {
   std::size_t i = 0;
   std::erase_if(tf.points, [&](const ControlPoint&) { return contains(selection, i++); });
-}
-
-ValueRange room_of(const std::vector<ControlPoint>& points, std::size_t point, const Selection& selection) {
-  return rooms_of(points, selection)[point];
-}
-
-Selection with_near_flanks(const std::vector<ControlPoint>& points, const Selection& selection,
-                           double reach) {
-  TransferFunction tf;
-  tf.points = points;
-  Selection all = selection;
-  for (const Peak& peak : find_peaks(tf)) {
-    const bool is_selected = std::ranges::any_of(
-        selection, [&](std::size_t i) { return i >= peak.first_point && i <= peak.last_point; });
-    const double apex = points[peak.first_point].value;
-    const bool is_near = apex - points[peak.left].value < reach || points[peak.right].value - apex < reach;
-    if (!is_selected || !is_near) continue;
-    for (std::size_t i = peak.left; i <= peak.right; ++i) all.push_back(i);
-  }
-  std::ranges::sort(all);
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
-
-std::vector<ControlPoint> moved(const std::vector<ControlPoint>& before, const Selection& selection,
-                                double shift, double resolution) {
-  const std::vector<ValueRange> rooms = rooms_of(before, selection);
-  double least = -infinity, most = infinity;
-  for (const std::size_t i : selection) {
-    least = std::max(least, rooms[i].min - before[i].value);
-    most = std::min(most, rooms[i].max - before[i].value);
-  }
-  std::vector<ControlPoint> points = before;
-  if (selection.empty()) return points;
-  const double middle = before[selection[selection.size() / 2]].value;
-  const double allowed = round_to_resolution(middle + std::clamp(shift, least, most), resolution) - middle;
-  for (const std::size_t i : selection)
-    points[i].value = std::clamp(before[i].value + allowed, rooms[i].min, rooms[i].max);
-  return points;
-}
-
-void set_peak_width(TransferFunction& tf, const Peak& peak, double width) {
-  auto& points = tf.points;
-  if (!(width >= 0) || peak.right >= points.size() || peak.left >= peak.first_point ||
-      peak.right <= peak.last_point)
-    return;
-  const double low = peak.left > 0 ? points[peak.left - 1].value : -infinity;
-  const double high = peak.right + 1 < points.size() ? points[peak.right + 1].value : infinity;
-  const double first = points[peak.first_point].value, last = points[peak.last_point].value;
-  const double apex = (first + last) / 2;
-  const double old_width = points[peak.right].value - points[peak.left].value;
-  // A spike of no width has no proportions: its flanks go half the width to each side.
-  const auto place = [&](double value, double side) {
-    const double offset = old_width > 0 ? (value - apex) / old_width * width : side * width / 2;
-    return apex + offset;
-  };
-  for (std::size_t i = peak.left; i < peak.first_point; ++i)
-    points[i].value = std::clamp(place(points[i].value, -1), low, high);
-  for (std::size_t i = peak.last_point + 1; i <= peak.right; ++i)
-    points[i].value = std::clamp(place(points[i].value, 1), low, high);
-  if (peak.first_point != peak.last_point)
-    for (std::size_t i = peak.first_point; i <= peak.last_point; ++i)
-      points[i].value = std::clamp(place(points[i].value, 0), low, high);
 }
 
 glm::dvec3 peak_color(std::size_t n) {

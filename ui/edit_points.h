@@ -8,8 +8,8 @@
 
 namespace crest {
 
-/// What a person does to the points of a transfer function. All keep the values in order: a point goes as far
-/// as its neighbour's value, which it may share.
+// What a person does to the points of a transfer function, which stay in order. How they are moved is in
+// move_points.h.
 
 /// Indices of control points, ascending.
 using Selection = std::vector<std::size_t>;
@@ -20,6 +20,9 @@ std::size_t insert_point(TransferFunction& tf, double value, double opacity);
 /// Puts in a spike: two points on the curve, `width` apart, and the apex between them (three at one value
 /// when width is 0). It is squeezed between the points that are there. Returns the apex's index.
 std::size_t insert_peak(TransferFunction& tf, double value, double opacity, double width, glm::dvec3 color);
+
+/// How wide a peak may be to be a spike, in values.
+double widest_spike(const TransferFunction& tf);
 
 /// The middle of the widest part of `range` that has no point: a place for a new peak.
 double widest_gap(const TransferFunction& tf, ValueRange range);
@@ -32,22 +35,6 @@ std::size_t insert_step(TransferFunction& tf, double value, double opacity);
 std::size_t make_step(TransferFunction& tf, std::size_t point);
 
 void erase_points(TransferFunction& tf, const Selection& selection);
-
-/// How far a point can go while the selected ones move along: to the nearest neighbours that are not
-/// selected, or without bound.
-ValueRange room_of(const std::vector<ControlPoint>& points, std::size_t point, const Selection& selection);
-
-/// The selection, and with the apex of a peak whose flanks are nearer than `reach` the flanks, too: such a
-/// peak moves as a whole, since its apex alone has nowhere to go.
-Selection with_near_flanks(const std::vector<ControlPoint>& points, const Selection& selection, double reach);
-
-/// `before` with the selected points moved by `shift`, as far as all of them have room. The value of one of
-/// them is rounded to a tenth of `resolution`, which 0 leaves out; the others keep their distances.
-std::vector<ControlPoint> moved(const std::vector<ControlPoint>& before, const Selection& selection,
-                                double shift, double resolution);
-
-/// Sets the distance between a peak's flanks; their points move in proportion.
-void set_peak_width(TransferFunction& tf, const Peak& peak, double width);
 
 /// A hue for the n-th peak that differs well from those before it.
 glm::dvec3 peak_color(std::size_t n);

@@ -3,10 +3,11 @@
 #include <imgui.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "ui/edit_points.h"
 #include "ui/histogram_cache.h"
+#include "ui/move_points.h"
 #include "ui/value_axis.h"
 
 namespace crest {
@@ -27,13 +28,16 @@ enum class ValueCurve {
 
 /// What the mouse is dragging in the editor's plot.
 struct EditorDrag {
-  enum class Kind { none, points, axis, box };
+  enum class Kind { none, points, axis, box, span, span_low, span_high };
   Kind kind = Kind::none;
-  ImVec2 start;                      ///< where the button went down
-  bool under_way = false;            ///< moved far enough to be a drag
-  std::vector<ControlPoint> before;  ///< the points as they were
+  bool moves_points() const { return kind != Kind::none && kind != Kind::axis && kind != Kind::box; }
+  ImVec2 start;             ///< where the button went down
+  bool under_way = false;   ///< moved far enough to be a drag
+  TransferFunction before;  ///< as it was
   Selection selected_before;
-  ValueRange visible, whole;  ///< of the axis, held while points are dragged
+  ValueRange visible, whole;      ///< of the axis, held while points are dragged
+  std::size_t grabbed = 0;        ///< of points, the one under the mouse
+  std::optional<double> snapped;  ///< the value to which it snapped
 };
 
 /// What belongs to the transfer-function editor and is not in the document.
@@ -44,7 +48,12 @@ struct EditorState {
   ValueCurve value_curve = ValueCurve::log_values;
   bool suggestions = true;               ///< marks of the peaks that the volume suggests
   std::optional<double> new_peak_width;  ///< in the TF's values; without it, a share of what is in sight
-  bool peak_rule = false;                ///< the row of fields that say what a peak is
+  Neighbours neighbours = Neighbours::free;
+  bool snap = true;
+  std::vector<double> landmarks;  ///< values to snap to, of the volume's histogram
+  std::string note;               ///< why something could not be done, until the next press
+  bool type_value = false;        ///< the value's field is to be typed in, next
+  bool peak_rule = false;         ///< the row of fields that say what a peak is
   EditorDrag drag;
   HistogramCache histogram;
   double menu_value = 0, menu_opacity = 0;  ///< where the right-click menu was opened

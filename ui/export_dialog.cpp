@@ -8,6 +8,7 @@
 #include "presets/error.h"
 #include "presets/exchange/table.h"
 #include "render/scene/export_input.h"
+#include "ui/number_field.h"
 #include "ui/questions.h"
 #include "ui/style.h"
 

@@ -1,7 +1,10 @@
 #include "ui/menu_bar.h"
 
 #include <fmt/core.h>
+#include <imgui_internal.h>
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "presets/exchange/color_maps.h"
@@ -274,6 +277,18 @@ bool menu_bar(Document& document, StudioState& state, const StudioInputs& inputs
   return changed;
 }
 
+bool takes_typed_text() {
+  const auto pressed = [](char letter) { return key_pressed(letter); };
+  return ImGui::GetIO().KeyCtrl && std::ranges::any_of(std::string_view("SQOE"), pressed);
+}
+
+/// Whether a field is open in which nothing was typed yet.
+bool only_opened(const WidgetState& widgets) {
+  return ImGui::GetIO().WantTextInput && std::ranges::all_of(widgets.typed, [](const auto& typed) {
+           return typed.second.text == typed.second.shown;
+         });
+}
+
 bool shortcuts(Document& document, StudioState& state, const StudioInputs&, StudioRequests& requests) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return false;
@@ -289,7 +304,10 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
     for (int i = 1; i <= view_count; ++i)
       if (key_pressed('0' + i)) show_views(state.views, i);
     // A field that is being typed in has an undo of its own, and a drag is one step that is not over.
-    if (ImGui::IsAnyItemActive()) return false;
+    if (ImGui::IsAnyItemActive()) {
+      if (!only_opened(state.widgets)) return false;
+      if (key_pressed('Z') || key_pressed('Y')) ImGui::ClearActiveID();
+    }
     if (key_pressed('Z') && !io.KeyShift) return undo(document, state);
     if (key_pressed('Y') || key_pressed('Z')) return redo(document, state);
     return false;

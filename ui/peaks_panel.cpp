@@ -3,15 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
+#include <numeric>
 
 #include "ui/edit_points.h"
+#include "ui/number_field.h"
 #include "ui/style.h"
 
 namespace crest {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The points of a peak's top.
 Selection top_of(const Peak& peak) {
@@ -22,19 +21,17 @@ Selection top_of(const Peak& peak) {
 
 std::string field_name(std::size_t row, const char* field) { return fmt::format("##peak{}.{}", row, field); }
 
-bool value_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetState& widgets) {
+bool value_cell(TransferFunction& tf, EditorState& editor, const Peak& peak, std::size_t row,
+                WidgetState& widgets) {
   const Selection top = top_of(peak);
-  const double first = tf.points[peak.first_point].value, last = tf.points[peak.last_point].value;
-  double value = first == last ? first : (first + last) / 2;
-  if (!number_field(widgets, field_name(row, "value").c_str(), value, {-infinity, infinity}, -1))
-    return false;
-  const double middle = (first + last) / 2;
-  if (top.size() == 1) {
-    const ValueRange room = room_of(tf.points, top[0], top);
-    tf.points[top[0]].value = std::clamp(value, room.min, room.max);
-  } else {
-    tf.points = moved(tf.points, top, value - middle, 0);
-  }
+  double value = std::midpoint(tf.points[peak.first_point].value, tf.points[peak.last_point].value);
+  const double before = value;
+  if (!number_field(widgets, field_name(row, "value").c_str(), value, any_value, -1)) return false;
+  const double first = tf.points[top[0]].value;
+  const double to = top.size() == 1 ? value : first + (value - before);
+  const Moved result = moved(tf, whole_of(tf, top), top[0], to, editor.neighbours);
+  editor.selection = result.of(editor.selection);
+  tf.points = result.points;
   return true;
 }
 
@@ -42,7 +39,7 @@ bool value_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetS
 bool opacity_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetState& widgets) {
   ControlPoint& point = tf.points[peak.first_point];
   double opacity = point.surface.opacity.value_or(point.opacity);
-  if (!number_field(widgets, field_name(row, "opacity").c_str(), opacity, {0, 1}, -1)) return false;
+  if (!number_field(widgets, field_name(row, "opacity").c_str(), opacity, unit_interval, -1)) return false;
   for (const std::size_t i : top_of(peak)) {
     if (tf.points[i].surface.opacity)
       tf.points[i].surface.opacity = opacity;
@@ -57,8 +54,8 @@ bool width_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetS
     ImGui::TextDisabled("-");
     return false;
   }
-  double width = tf.points[peak.right].value - tf.points[peak.left].value;
-  if (!number_field(widgets, field_name(row, "width").c_str(), width, {0, infinity}, -1)) return false;
+  double width = peak_width(tf, peak);
+  if (!number_field(widgets, field_name(row, "width").c_str(), width, not_negative, -1)) return false;
   set_peak_width(tf, peak, width);
   return true;
 }
@@ -81,7 +78,7 @@ bool peak_row(TransferFunction& tf, EditorState& editor, WidgetState& widgets, c
     changed = true;
   }
   ImGui::TableNextColumn();
-  changed |= value_cell(tf, peak, row, widgets);
+  changed |= value_cell(tf, editor, peak, row, widgets);
   ImGui::TableNextColumn();
   changed |= opacity_cell(tf, peak, row, widgets);
   ImGui::TableNextColumn();

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/editor_fields.h"
-#include "ui/plot_interaction.h"
+#include "ui/point_tools.h"
 #include "ui/style.h"
 #include "ui/transfer_function_editor.h"
 
@@ -81,7 +80,7 @@ bool peak_item(Document& document, StudioState& state, const StudioInputs& input
   const double in_domain =
       tf.domain == Domain::normalized && range.width() > 0 ? (value - range.min) / range.width() : value;
   const ValueRange visible = state.editor.visible.value_or(axis_range(tf, inputs.volume));
-  return add_peak(tf, state.editor, in_domain, picked_opacity, new_peak_width(state.editor, visible));
+  return add_shape(tf, state.editor, Shape::spike, in_domain, picked_opacity, visible);
 }
 
 void inspect(RayState& state, const RayAsk& ask, Mode mode) {

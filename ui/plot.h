@@ -48,4 +48,11 @@ void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, 
 void draw_points(ImDrawList& list, const Plot& plot, const TransferFunction& tf, const Selection& selection,
                  std::optional<std::size_t> hovered);
 
+/// The range of values that the bar over the plot shifts and stretches: of the selected points, or of all.
+ValueRange span_of(const TransferFunction& tf, const Selection& selection);
+/// Which part of that bar is at `mouse`.
+std::optional<EditorDrag::Kind> span_handle_at(const Plot& plot, ValueRange span, ImVec2 mouse);
+void draw_span(ImDrawList& list, const Plot& plot, ValueRange span, std::optional<EditorDrag::Kind> held);
+inline constexpr float span_height = 14;  ///< of the strip over the plot that it takes, unscaled
+
 }  // namespace crest

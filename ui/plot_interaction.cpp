@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/arrange_points.h"
 #include "ui/keys.h"
+#include "ui/snap.h"
 #include "ui/widgets.h"
 
 namespace crest {
@@ -14,7 +16,7 @@ namespace {
 constexpr double near_flank = 6;     // pixels: a peak whose flanks are nearer than this moves as a whole
 constexpr float drag_threshold = 3;  // pixels, before a press becomes a drag
 constexpr double wheel_factor = 1.3;
-constexpr double share_of_view = 0.02;  // width of a new peak
+constexpr double snap_reach = 5;  // pixels
 
 bool is_selected(const EditorState& editor, std::size_t i) {
   return std::binary_search(editor.selection.begin(), editor.selection.end(), i);
@@ -31,7 +33,7 @@ void toggle(Selection& selection, std::size_t i) {
 void begin_drag(EditorState& editor, EditorDrag::Kind kind, const TransferFunction& tf, const Plot& plot,
                 ValueRange whole) {
   editor.drag =
-      EditorDrag{kind, ImGui::GetIO().MousePos, false, tf.points, editor.selection, plot.axis.visible, whole};
+      EditorDrag{kind, ImGui::GetIO().MousePos, false, tf, editor.selection, plot.axis.visible, whole, 0, {}};
 }
 
 bool press_left(TransferFunction& tf, EditorState& editor, const Plot& plot, ValueRange whole) {
@@ -40,6 +42,10 @@ bool press_left(TransferFunction& tf, EditorState& editor, const Plot& plot, Val
   if (io.MousePos.y > plot.high.y + scaled(10)) {  // the strip of the value axis
     if (twice) editor.visible.reset();
     begin_drag(editor, EditorDrag::Kind::axis, tf, plot, whole);
+    return false;
+  }
+  if (const auto handle = span_handle_at(plot, span_of(tf, editor.selection), io.MousePos)) {
+    begin_drag(editor, *handle, tf, plot, whole);
     return false;
   }
   const auto hit = point_near(plot, tf.points, io.MousePos);
@@ -53,6 +59,7 @@ bool press_left(TransferFunction& tf, EditorState& editor, const Plot& plot, Val
     else if (!is_selected(editor, *hit))
       editor.selection = {*hit};
     begin_drag(editor, EditorDrag::Kind::points, tf, plot, whole);
+    editor.drag.grabbed = *hit;
     return false;
   }
   if (twice) {
@@ -70,7 +77,7 @@ bool press_left(TransferFunction& tf, EditorState& editor, const Plot& plot, Val
 /// Of points that lie on one another, the one that can go the way of the drag.
 void choose_among_coincident(EditorState& editor, const Plot& plot, float dx) {
   if (editor.selection.size() != 1 || dx == 0) return;
-  const auto& points = editor.drag.before;
+  const auto& points = editor.drag.before.points;
   const ControlPoint& taken = points[editor.selection[0]];
   std::size_t chosen = editor.selection[0];
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -78,27 +85,70 @@ void choose_among_coincident(EditorState& editor, const Plot& plot, float dx) {
         points[i].value == taken.value && std::abs(plot.place(points[i]).y - plot.place(taken).y) < 2;
     if (coincides && (dx < 0 ? i < chosen : i > chosen)) chosen = i;
   }
-  editor.selection = {chosen};
+  editor.selection = editor.drag.selected_before = {chosen};
+}
+
+/// Where `value` goes that is dragged, with all of `moving`: to what is near, or rounded to pixels.
+double dragged_to(EditorState& editor, const Plot& plot, double value, const Selection& moving) {
+  const double per_pixel = plot.axis.value_per_pixel();
+  editor.drag.snapped.reset();
+  if (editor.snap && !ImGui::GetIO().KeyAlt)
+    editor.drag.snapped =
+        snapped(value, snap_reach * per_pixel,
+                snap_places(editor.drag.before.points, moving, editor.landmarks, plot.axis));
+  return editor.drag.snapped.value_or(round_to_resolution(value, per_pixel));
+}
+
+Moved drag_across(EditorState& editor, const Plot& plot, double pixels) {
+  const TransferFunction& before = editor.drag.before;
+  const Selection& dragged = editor.drag.selected_before;
+  const double per_pixel = plot.axis.value_per_pixel();
+  const Selection moving = whole_of(before, dragged, near_flank * per_pixel);
+  const std::size_t grabbed = editor.drag.grabbed;
+  const std::size_t anchor =
+      std::binary_search(dragged.begin(), dragged.end(), grabbed) ? grabbed : dragged[0];
+  const double to = dragged_to(editor, plot, before.points[anchor].value + pixels * per_pixel, moving);
+  return moved(before, moving, anchor, to, editor.neighbours);
 }
 
 bool drag_points(TransferFunction& tf, EditorState& editor, const Plot& plot, ImVec2 shift) {
   const EditorDrag& drag = editor.drag;
   if (ImGui::GetIO().KeyShift) (std::abs(shift.x) >= std::abs(shift.y) ? shift.y : shift.x) = 0;
-  const double per_pixel = plot.axis.value_per_pixel();
-  std::vector<ControlPoint> points =
-      shift.x != 0
-          ? moved(drag.before, with_near_flanks(drag.before, editor.selection, near_flank * per_pixel),
-                  double(shift.x) * per_pixel, per_pixel)
-          : drag.before;
+  const Selection& dragged = drag.selected_before;
+  Moved result{drag.before.points, everything(drag.before)};
+  if (shift.x != 0 && !dragged.empty()) result = drag_across(editor, plot, double(shift.x));
+  editor.selection = result.of(dragged);
   if (shift.y != 0)
-    for (const std::size_t i : editor.selection) {
-      const double opacity = plot.opacity_at(plot.y_of(drag.before[i].opacity) + shift.y);
+    for (const std::size_t i : dragged) {
+      const double opacity = plot.opacity_at(plot.y_of(drag.before.points[i].opacity) + shift.y);
       const double resolution =
           plot.opacity_axis.logarithmic ? 0.02 * opacity : 1.0 / double(plot.high.y - plot.low.y);
-      points[i].opacity = std::clamp(round_to_resolution(opacity, resolution), 0.0, 1.0);
+      result.points[result.now_at[i]].opacity =
+          std::clamp(round_to_resolution(opacity, resolution), 0.0, 1.0);
     }
-  if (points == tf.points) return false;
-  tf.points = std::move(points);
+  if (result.points == tf.points) return false;
+  tf.points = std::move(result.points);
+  return true;
+}
+
+/// Window and level: the bar shifts the selected points, or all; its ends stretch them.
+bool drag_span(TransferFunction& tf, EditorState& editor, const Plot& plot, double pixels) {
+  const EditorDrag& drag = editor.drag;
+  const Selection moving = selected_or_all(drag.before, drag.selected_before);
+  const ValueRange from = values_of(drag.before, moving);
+  const double shift = pixels * plot.axis.value_per_pixel();
+  ValueRange to = from;
+  if (drag.kind == EditorDrag::Kind::span_high) {
+    to.max = std::max(dragged_to(editor, plot, from.max + shift, moving), from.min);
+  } else {
+    to.min = dragged_to(editor, plot, from.min + shift, moving);
+    if (drag.kind == EditorDrag::Kind::span_low) to.min = std::min(to.min, from.max);
+    if (drag.kind == EditorDrag::Kind::span) to.max = from.max + (to.min - from.min);
+  }
+  const Moved result = stretched(drag.before, moving, from, to);
+  editor.selection = result.of(drag.selected_before);
+  if (result.points == tf.points) return false;
+  tf.points = result.points;
   return true;
 }
 
@@ -131,6 +181,10 @@ bool continue_drag(TransferFunction& tf, EditorState& editor, const Plot& plot, 
     case EditorDrag::Kind::box:
       drag_box(tf, editor, plot);
       return false;
+    case EditorDrag::Kind::span:
+    case EditorDrag::Kind::span_low:
+    case EditorDrag::Kind::span_high:
+      return drag_span(tf, editor, plot, double(shift.x));
     case EditorDrag::Kind::none:
       break;
   }
@@ -162,16 +216,6 @@ void walk(Selection& selection, std::size_t count, int direction) {
 }
 
 }  // namespace
-
-double new_peak_width(const EditorState& editor, ValueRange visible) {
-  return editor.new_peak_width.value_or(
-      round_to_resolution(share_of_view * visible.width(), 0.1 * share_of_view * visible.width()));
-}
-
-bool add_peak(TransferFunction& tf, EditorState& editor, double value, double opacity, double width) {
-  editor.selection = {insert_peak(tf, value, opacity, width, peak_color(tf.points.size() / 3))};
-  return true;
-}
 
 bool handle_plot_mouse(TransferFunction& tf, EditorState& editor, const Plot& plot, ValueRange whole) {
   bool changed = false;
@@ -224,9 +268,15 @@ bool handle_plot_keys(TransferFunction& tf, EditorState& editor, const Plot& plo
   const float pixels = io.KeyShift ? 10 : io.KeyAlt ? 0.1F : 1;
   const double per_pixel = plot.axis.value_per_pixel();
   const std::vector<ControlPoint> before = tf.points;
-  if (across != 0)
-    tf.points = moved(tf.points, with_near_flanks(tf.points, editor.selection, near_flank * per_pixel),
-                      double(pixels) * across * per_pixel, 0.1 * per_pixel);
+  if (across != 0) {
+    const std::size_t anchor = editor.selection[0];
+    const double to =
+        round_to_resolution(tf.points[anchor].value + double(pixels) * across * per_pixel, 0.1 * per_pixel);
+    const Selection moving = whole_of(tf, editor.selection, near_flank * per_pixel);
+    const Moved result = moved(tf, moving, anchor, to, editor.neighbours);
+    tf.points = result.points;
+    editor.selection = result.of(editor.selection);
+  }
   if (upward != 0)
     for (const std::size_t i : editor.selection) {
       const double unit = plot.opacity_axis.unit_of(tf.points[i].opacity);

@@ -11,10 +11,4 @@ bool handle_plot_mouse(TransferFunction& tf, EditorState& editor, const Plot& pl
 /// Nudges, deletes and selects; for when no text is being typed.
 bool handle_plot_keys(TransferFunction& tf, EditorState& editor, const Plot& plot);
 
-/// The width that a new peak gets: as typed, or a share of what is in sight.
-double new_peak_width(const EditorState& editor, ValueRange visible);
-
-/// Adds a peak in a colour of its own, and selects it.
-bool add_peak(TransferFunction& tf, EditorState& editor, double value, double opacity, double width);
-
 }  // namespace crest

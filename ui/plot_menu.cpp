@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "ui/plot_interaction.h"
+#include "ui/number_field.h"
+#include "ui/point_tools.h"
 #include "ui/transfer_function_editor.h"
 
 namespace crest {
@@ -28,7 +29,7 @@ bool point_menu(TransferFunction& tf, EditorState& editor, WidgetState& widgets)
     changed = true;
   }
   if (point.surface.opacity)
-    changed |= number_field(widgets, "##surface opacity", *point.surface.opacity, {0, 1}, scaled(120));
+    changed |= number_field(widgets, "##surface opacity", *point.surface.opacity, unit_interval, scaled(120));
   ImGui::Separator();
   if (ImGui::MenuItem("Make step", nullptr, false, editor.selection.size() == 1)) {
     editor.selection = {make_step(tf, editor.selection[0])};
@@ -51,14 +52,16 @@ bool place_menu(TransferFunction& tf, EditorState& editor, WidgetState& widgets,
     changed = true;
   }
   note_item(widgets, "Add point");
-  if (ImGui::MenuItem("Add peak"))
-    changed |= add_peak(tf, editor, editor.menu_value, editor.menu_opacity, new_peak_width(editor, visible));
-  note_item(widgets, "Add peak");
-  if (ImGui::MenuItem("Add step")) {
-    editor.selection = {insert_step(tf, editor.menu_value, editor.menu_opacity)};
-    changed = true;
+  for (const auto& [text, shape] : {std::pair{"Add peak", Shape::spike},
+                                    {"Add tent", Shape::tent},
+                                    {"Add box", Shape::box},
+                                    {"Add Gaussian", Shape::gaussian},
+                                    {"Add ramp", Shape::ramp},
+                                    {"Add step", Shape::step}}) {
+    if (ImGui::MenuItem(text))
+      changed |= add_shape(tf, editor, shape, editor.menu_value, editor.menu_opacity, visible);
+    note_item(widgets, text);
   }
-  note_item(widgets, "Add step");
   return changed;
 }
 
@@ -72,6 +75,11 @@ bool plot_menus(Document& document, EditorState& editor, WidgetState& widgets, c
     changed |=
         editor.selection.empty() ? place_menu(tf, editor, widgets, visible) : point_menu(tf, editor, widgets);
     ImGui::Separator();
+    if (ImGui::BeginMenu("Points")) {
+      const ValueRange volume = inputs.volume ? inputs.volume->statistics.range : ValueRange{};
+      changed |= points_menu(tf, editor, widgets, volume, visible);
+      ImGui::EndMenu();
+    }
     if (!editor.selection.empty() && ImGui::MenuItem("Zoom to selection", "F"))
       frame_selection(document, editor, inputs);
     if (ImGui::MenuItem("Show all values")) editor.visible.reset();

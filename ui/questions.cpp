@@ -87,6 +87,7 @@ void unsaved_question(Document& document, StudioState& state, const StudioInputs
   if (inputs.close_requested) state.quit_asked = true;
   hold_back(state, requests);
   if (!state.leaving.is_any() || state.leaving.once_saved) return;
+  if (state.widgets.number_taken) return;  // whether what was typed last is saved is known in the next frame
   if (!inputs.unsaved_changes) return let_go(state, requests);
   constexpr const char* title = "Unsaved changes";
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);

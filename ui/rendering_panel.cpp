@@ -6,11 +6,12 @@
 #include "presets/choices.h"
 #include "ui/choice_rows.h"
 #include "ui/feature_list.h"
+#include "ui/number_field.h"
 
 namespace crest {
 namespace {
 
-constexpr double least_step = 1e-3, largest_step = 1e3;
+constexpr FieldRule step_rule{.min = 1e-3, .max = 1e3}, cubic{.min = -10, .max = 10};
 
 /// A row of the form: what it is, and under the mouse what it means.
 void row(const char* text, const char* meaning) {
@@ -127,9 +128,9 @@ bool filter_rows(WidgetState& widgets, Rendering& r, float width) {
   changed |= root_filter_choice(widgets, r.root_filter, width);
   if (r.filter == Filter::bc || r.root_filter == Filter::bc) {
     row("    B", family);
-    changed |= number_field(widgets, "##bc b", r.bc_b, {-10, 10}, width);
+    changed |= number_field(widgets, "##bc b", r.bc_b, cubic, width);
     row("    C", family);
-    changed |= number_field(widgets, "##bc c", r.bc_c, {-10, 10}, width);
+    changed |= number_field(widgets, "##bc c", r.bc_c, cubic, width);
   }
   return changed;
 }
@@ -162,7 +163,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
   const float field = scaled(180);
   bool changed = engine_rows(widgets, r, field);
   row("Step", "Length of a ray's steps, in the smallest spacing of the volume; of uniform sampling");
-  changed |= number_field(widgets, "##step", r.step, {least_step, largest_step}, field);
+  changed |= number_field(widgets, "##step", r.step, step_rule, field);
   row("Placement",
       "Where a ray's samples lie:\nentry_exit_corner - midpoints of equal segments, at least one\nentry_exit "
       "- the "
@@ -177,7 +178,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
   changed |= choice(widgets, "##sampling", r.sampling, field);
   if (!has_equal_steps(r.sampling)) {
     row("Pixels a step", "s_k: the step at the eye, in pixels' diagonals at distance 1");
-    changed |= number_field(widgets, "##s_k", r.s_k, {least_step, largest_step}, field);
+    changed |= number_field(widgets, "##s_k", r.s_k, step_rule, field);
   }
   row("Adaptive", "Joins up to 8 steps to one where the field is smooth");
   changed |= checkbox(widgets, "##adaptive", r.adaptive);
@@ -223,7 +224,7 @@ bool rendering_panel(Document& document, StudioState& state, const StudioInputs&
       "peaks");
   changed |= choice(widgets, "##illumination", r.blend_mode, field);
   row("Early termination", "Residual transmittance at which a ray stops; 0 = never");
-  changed |= number_field(widgets, "##early termination", r.early_termination, {0, 1}, field);
+  changed |= number_field(widgets, "##early termination", r.early_termination, unit_interval, field);
   changed |= clip_rows(widgets, r.clip_box, inputs.volume, field);
   row("Background", "Behind the volume");
   changed |= color_square(widgets, "##background", r.background);

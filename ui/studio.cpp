@@ -187,6 +187,9 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
     requests.quit = inputs.close_requested && !inputs.unsaved_changes;
     return requests;
   }
+  state.widgets.number_taken = false;
+  state.widgets.take_typed = inputs.close_requested || takes_typed_text();
+  if (state.widgets.refused) state.widgets.refused->is_shown = false;
   requests.document_changed |= shortcuts(document, state, inputs, requests);
   requests.document_changed |= menu_bar(document, state, inputs, requests);
   close_menu_by_key();
@@ -199,7 +202,9 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   help_window(state);
   requests.show_visibility = is_visibility(state.editor.value_curve);
   if (!ImGui::IsAnyItemActive()) state.widgets.typed.clear();
-  if (!is_editing(state)) state.history.record(document);
+  if (state.widgets.refused && !state.widgets.refused->is_shown) state.widgets.refused.reset();
+  // A number that was typed is a step of its own, also where a press elsewhere took it.
+  if (state.widgets.number_taken || !is_editing(state)) state.history.record(document);
   return requests;
 }
 

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "presets/number_text.h"
 #include "ui/editor_fields.h"
 #include "ui/plot.h"
 #include "ui/plot_interaction.h"
 #include "ui/plot_menu.h"
+#include "ui/point_tools.h"
+#include "ui/snap.h"
 #include "ui/style.h"
 #include "ui/value_curves.h"
 
@@ -26,7 +29,7 @@ ValueMap data_to_domain(const TransferFunction& tf, ValueRange data) {
 Plot make_plot(const EditorState& editor, ImVec2 corner, ImVec2 size, ValueRange visible) {
   Plot plot;
   const float gutter = scaled(42), strip = axis_ticks(visible, 8).offset.empty() ? scaled(28) : scaled(44);
-  plot.low = {corner.x + gutter, corner.y + scaled(6)};
+  plot.low = {corner.x + gutter, corner.y + scaled(span_height)};
   plot.high = {std::max(plot.low.x + 8, corner.x + size.x - scaled(8)),
                std::max(plot.low.y + 8, corner.y + size.y - strip)};
   plot.axis = {visible, double(plot.low.x), double(plot.high.x - plot.low.x)};
@@ -49,12 +52,22 @@ void draw_plot(const TransferFunction& tf, EditorState& editor, const Plot& plot
   const float margin = scaled(8);
   list.PushClipRect({plot.low.x - margin, plot.low.y - margin}, {plot.high.x + margin, plot.high.y + margin},
                     true);
+  if (editor.drag.snapped) {
+    const float x = plot.x_of(*editor.drag.snapped);
+    list.AddLine({x, plot.low.y}, {x, plot.high.y}, palette::accent);
+  }
   const bool free = ImGui::IsItemHovered() && editor.drag.kind == EditorDrag::Kind::none;
   draw_points(list, plot, tf, editor.selection,
               free ? point_near(plot, tf.points, ImGui::GetIO().MousePos) : std::nullopt);
   if (editor.drag.kind == EditorDrag::Kind::box && editor.drag.under_way)
     list.AddRect(editor.drag.start, ImGui::GetIO().MousePos, palette::accent);
   list.PopClipRect();
+  const ValueRange span = span_of(tf, editor.selection);
+  draw_span(list, plot, span,
+            free ? span_handle_at(plot, span, ImGui::GetIO().MousePos) : std::optional(editor.drag.kind));
+  if (!editor.note.empty())
+    list.AddText({plot.low.x + scaled(6), plot.high.y - ImGui::GetFontSize() - scaled(4)}, palette::warning,
+                 editor.note.c_str());
 }
 
 std::string place_text(const TransferFunction& tf, const Plot& plot) {
@@ -62,6 +75,16 @@ std::string place_text(const TransferFunction& tf, const Plot& plot) {
   const double value = round_to_resolution(plot.axis.value_at(mouse.x), plot.axis.value_per_pixel());
   return fmt::format("value {}   curve {:.3g}   cursor {:.3g}", exact_text(value),
                      evaluate(tf, value).opacity, plot.opacity_at(mouse.y));
+}
+
+/// A press ends what was noted, and may begin a drag that snaps to what the volume has.
+void note_press(const TransferFunction& tf, EditorState& editor, const Volume* volume) {
+  editor.note.clear();
+  editor.landmarks.clear();
+  if (!volume) return;
+  const ValueMap to_domain = data_to_domain(tf, volume->statistics.range);
+  for (const double value : histogram_maxima(volume->statistics))
+    editor.landmarks.push_back(to_domain(value));
 }
 
 }  // namespace
@@ -94,13 +117,14 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
   TransferFunction& tf = document.preset.transfer_function;
   EditorState& editor = state.editor;
   std::erase_if(editor.selection, [&](std::size_t i) { return i >= tf.points.size(); });
-  const bool dragging = editor.drag.kind == EditorDrag::Kind::points;
+  const bool dragging = editor.drag.moves_points();
   // The axis holds still while points are dragged beyond its ends.
   const ValueRange whole = dragging ? editor.drag.whole : axis_range(tf, inputs.volume);
   if (editor.visible && !dragging) editor.visible = pan(*editor.visible, whole, 0);
   const ValueRange visible = dragging ? editor.drag.visible : editor.visible.value_or(whole);
 
-  bool changed = editor_toolbar(tf, editor, state.widgets, visible);
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) note_press(tf, editor, inputs.volume);
+  bool changed = editor_toolbar(tf, editor, state.widgets, volume_range(inputs.volume), visible);
   changed |= point_fields(tf, editor, state.widgets);
   const float below = ImGui::GetFrameHeightWithSpacing() * (editor.peak_rule ? 2.0F : 1.0F);
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
@@ -114,6 +138,10 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
     const ImVec2 at = plot.place(tf.points[i]);
     state.widgets.items[fmt::format("point/{}", i)] = {at, at};
   }
+  const ValueRange span = span_of(tf, editor.selection);
+  const float span_y = plot.low.y - scaled(span_height / 2);
+  state.widgets.items["span/low"] = {{plot.x_of(span.min), span_y}, {plot.x_of(span.min), span_y}};
+  state.widgets.items["span/high"] = {{plot.x_of(span.max), span_y}, {plot.x_of(span.max), span_y}};
   const ValueMap to_domain = data_to_domain(tf, volume_range(inputs.volume));
   if (suggested_peak_clicked(tf, state, inputs, plot, to_domain))
     changed = true;
@@ -128,6 +156,7 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
                              !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   if (keys_are_free) {
     changed |= handle_plot_keys(tf, editor, plot);
+    changed |= tool_keys(tf, editor, volume_range(inputs.volume), visible);
     if (ImGui::IsKeyPressed('F', false) && !ImGui::GetIO().KeyCtrl) frame_selection(document, editor, inputs);
   }
   draw_plot(tf, editor, plot, inputs);

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "ui/plot_interaction.h"
+#include "ui/point_tools.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
 
@@ -206,18 +206,18 @@ bool suggested_peak_clicked(TransferFunction& tf, StudioState& state, const Stud
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool hovered = ImGui::IsItemHovered() && state.editor.drag.kind == EditorDrag::Kind::none &&
                        !point_near(plot, tf.points, mouse);
-  for_each_mark(state.editor, inputs, plot, to_domain,
-                [&](std::size_t i, const SuggestedPeak& peak, double value) {
-                  const ImVec2 place = mark_place(plot, value);
-                  state.widgets.items[fmt::format("suggestion/{}", i)] = {place, place};
-                  if (taken || !hovered || !is_at(mouse, place)) return;
-                  ImGui::SetTooltip(
-                      "A boundary at %s?\nThe mean gradient is highest there: %.4g.\nClick to add a spike",
-                      short_text(value).c_str(), peak.gradient);
-                  if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
-                  taken = add_peak(tf, state.editor, round_to_resolution(value, plot.axis.value_per_pixel()),
-                                   0.8, new_peak_width(state.editor, plot.axis.visible));
-                });
+  for_each_mark(
+      state.editor, inputs, plot, to_domain, [&](std::size_t i, const SuggestedPeak& peak, double value) {
+        const ImVec2 place = mark_place(plot, value);
+        state.widgets.items[fmt::format("suggestion/{}", i)] = {place, place};
+        if (taken || !hovered || !is_at(mouse, place)) return;
+        ImGui::SetTooltip(
+            "A boundary at %s?\nThe mean gradient is highest there: %.4g.\nClick to add a spike",
+            short_text(value).c_str(), peak.gradient);
+        if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
+        taken = add_shape(tf, state.editor, Shape::spike,
+                          round_to_resolution(value, plot.axis.value_per_pixel()), 0.8, plot.axis.visible);
+      });
   return taken;
 }
 

@@ -1,79 +1,25 @@
 #include "ui/widgets.h"
 
 #include <fmt/core.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <glm/common.hpp>
-#include <limits>
-#include <optional>
 
 namespace crest {
 
-std::string exact_text(double value) { return fmt::format("{}", value == 0 ? 0.0 : value); }
 std::string short_text(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
 
 namespace {
 
-std::optional<double> number_in(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (end == text.c_str() || !std::isfinite(value)) return std::nullopt;
-  while (*end == ' ') ++end;
-  return *end == '\0' ? std::optional(value) : std::nullopt;
-}
-
 glm::dvec3 in_gamut(const float (&rgb)[3]) {
   return glm::clamp(glm::dvec3(rgb[0], rgb[1], rgb[2]), 0.0, 1.0);
-}
-
-/// The exact text where it fits into the field, or as many digits as do.
-std::string fitting_text(double value, float width) {
-  const std::string exact = exact_text(value);
-  const float room = width - 2 * ImGui::GetStyle().FramePadding.x;
-  if (ImGui::CalcTextSize(exact.c_str()).x <= room) return exact;
-  std::string text;
-  for (const int digits : {12, 10, 9, 8, 7, 6, 5, 4, 3}) {
-    text = fmt::format("{:.{}g}", value, digits);
-    if (ImGui::CalcTextSize(text.c_str()).x <= room) break;
-  }
-  return text;
 }
 
 }  // namespace
 
 void note_item(WidgetState& state, std::string name) {
   state.items[std::move(name)] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
-}
-
-bool number_field(WidgetState& state, const char* name, double& value, ValueRange limits, float width) {
-  const ImGuiID id = ImGui::GetID(name);
-  ImGui::SetNextItemWidth(width);
-  const std::string shown = fitting_text(value, ImGui::CalcItemWidth());
-  const auto found = state.typed.find(id);
-  std::string text = found != state.typed.end() ? found->second : shown;
-  ImGui::InputText(name, &text, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
-  note_item(state, name);
-  if (ImGui::IsItemActive()) {
-    state.typed[id] = text;
-    return false;
-  }
-  if (found == state.typed.end()) return false;
-  state.typed.erase(found);
-  if (text == shown) return false;
-  const std::optional<double> typed = number_in(text);
-  if (!typed) return false;
-  const double before = std::exchange(value, std::clamp(*typed, limits.min, limits.max));
-  return value != before;
-}
-
-bool integer_field(WidgetState& state, const char* name, int& value, int least, int most, float width) {
-  double number = value;
-  if (!number_field(state, name, number, {double(least), double(most)}, width)) return false;
-  const int before = std::exchange(value, int(std::lround(number)));
-  return value != before;
 }
 
 bool checkbox(WidgetState& state, const char* name, bool& value) {
@@ -113,8 +59,8 @@ bool choice(WidgetState& state, const char* name, int& value, std::span<const st
   const auto text_of = [&](std::size_t i) { return std::string(names[i]); };
   const std::size_t now = std::size_t(value);
   ImGui::SetNextItemWidth(width);
-  const bool open =
-      ImGui::BeginCombo(name, now < names.size() ? text_of(now).c_str() : "", ImGuiComboFlags_HeightLarge);
+  const bool open = ImGui::BeginCombo(name, now < names.size() ? text_of(now).c_str() : "mixed",
+                                      ImGuiComboFlags_HeightLarge);
   note_item(state, name);
   if (!open) return false;
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <glm/vec3.hpp>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,29 +19,34 @@ namespace crest {
 /// Where the named widgets stand in this frame, in pixels: for tests, and for scripts that drive the window.
 using ItemRects = std::map<std::string, std::pair<ImVec2, ImVec2>, std::less<>>;
 
-/// What is being typed into number fields and not yet taken, by widget.
-using TypedNumbers = std::unordered_map<ImGuiID, std::string>;
+/// What is being typed into a number field and not yet taken.
+struct TypedText {
+  std::string text, shown;  ///< and what the field showed before
+};
+using TypedNumbers = std::unordered_map<ImGuiID, TypedText>;
+
+/// What was typed into a number field and could not be taken.
+struct RefusedNumber {
+  ImGuiID field = 0;
+  std::string text, why;
+  std::string shown;      ///< what the field shows without it
+  bool is_shown = false;  ///< in this frame
+};
 
 /// What the small widgets share.
 struct WidgetState {
   ItemRects items;
   TypedNumbers typed;
+  bool take_typed = false;    ///< in this frame what is typed is taken although nobody left its field
+  bool number_taken = false;  ///< in this frame
+  std::optional<RefusedNumber> refused;
 };
 
 /// Remembers the last item's place under `name`.
 void note_item(WidgetState& state, std::string name);
 
-/// The shortest text that reads back as exactly this number.
-std::string exact_text(double value);
 /// For labels: six significant digits.
 std::string short_text(double value);
-
-/// A field for a number, shown and taken with full precision; Enter or leaving the field takes it, Escape
-/// does not. What is no number is ignored, what is out of `limits` is moved to them. `name` is its ID (give
-/// it
-/// "##"); it is noted as an item. Returns whether the value changed.
-bool number_field(WidgetState& state, const char* name, double& value, ValueRange limits, float width);
-bool integer_field(WidgetState& state, const char* name, int& value, int least, int most, float width);
 
 /// A check box; `name` is its ID (give it "##"), and it is noted as an item. Returns whether the value
 /// changed.
@@ -54,7 +60,7 @@ bool color_square(WidgetState& state, const char* name, glm::dvec3& color);
 /// The picker alone, for a popup.
 bool color_picker(const char* name, glm::dvec3& color);
 
-/// A combo box over names; `value` counts them from 0.
+/// A combo box over names; `value` counts them from 0, and is "mixed" beyond them.
 bool choice(WidgetState& state, const char* name, int& value, std::span<const std::string_view> names,
             float width);
 /// A combo box over the values of an enum, by the names that they have in files.

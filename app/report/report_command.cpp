@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <chrono>
-#include <regex>
 
 #include "app/auto_choice.h"
 #include "app/commands.h"
@@ -17,6 +16,7 @@
 #include "presets/error.h"
 #include "presets/json.h"
 #include "presets/names.h"
+#include "presets/number_text.h"
 #include "presets/preset_file.h"
 #include "render/files/load.h"
 #include "render/scene/camera.h"
@@ -36,12 +36,12 @@ struct ReportOptions {
 /// "120s", "2m", "1.5h", "90"; "none" is without a limit.
 std::optional<double> budget_seconds(const std::string& text) {
   if (text == "none") return std::nullopt;
-  std::smatch match;
-  static const std::regex form(R"((\d{1,9}(?:\.\d{1,9})?)(s|m|h)?)");
-  if (!std::regex_match(text, match, form) || std::stod(match[1]) <= 0)
+  const double unit = text.ends_with('h') ? 3600 : text.ends_with('m') ? 60 : 1;
+  const bool has_unit = unit > 1 || text.ends_with('s');
+  const TypedNumber typed = read_number(text.substr(0, text.size() - (has_unit ? 1 : 0)));
+  if (!typed.number || *typed.number <= 0 || *typed.number > 1e9)
     throw UsageError("--budget", fmt::format("'{}' is not a time, as in 90s, 2m or 1h, nor 'none'", text));
-  const double unit = match[2] == "h" ? 3600 : match[2] == "m" ? 60 : 1;
-  return unit * std::stod(match[1]);
+  return unit * *typed.number;
 }
 
 std::uint64_t seed_of(const std::string& text) {

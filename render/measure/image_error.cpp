@@ -3,12 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
 
 #include "presets/error.h"
+#include "presets/number_text.h"
 #include "render/measure/flip.h"
 
 namespace crest {
@@ -137,15 +137,13 @@ TargetError parse_target(std::string_view text) {
   const auto equals = std::min(text.find('='), text.size());
   const auto measure = std::ranges::find(measures, text.substr(0, equals), &ErrorMeasure::id);
   const std::string_view number = text.substr(std::min(equals + 1, text.size()));
-  double most = 0;
-  const auto [end, fault] = std::from_chars(number.data(), number.data() + number.size(), most);
-  const bool is_number = fault == std::errc{} && end == number.data() + number.size() && most >= 0;
-  if (measure == std::end(measures) || !is_number || !std::isfinite(most)) {
+  const std::optional<double> most = read_number(number).number;
+  if (measure == std::end(measures) || !most || *most < 0) {
     std::string ids;
     for (const ErrorMeasure& m : measures) ids += (ids.empty() ? "" : ", ") + std::string(m.id);
     throw Error(fmt::format("'{}' is not MEASURE=NUMBER, as in share=0.001; the measures are {}", text, ids));
   }
-  return {&*measure, most};
+  return {&*measure, *most};
 }
 
 std::string to_string(const TargetError& target) {

@@ -44,6 +44,18 @@ TEST(SetField, SetsOneFieldAndNoOther) {
   EXPECT_EQ(set_field(plain(), "transfer_function.points[1].color[1]=0.125"), expected);
 }
 
+TEST(SetField, TakesNumbersAsPeopleWriteThem) {
+  for (const char* text : {".25", "1/4", "0,25", "+0.25"})
+    EXPECT_EQ(set_field(plain(), std::string("rendering.step=") + text).rendering.step, 0.25) << text;
+  EXPECT_EQ(set_field(plain(), "transfer_function.points[0].surface.opacity=1/4")
+                .transfer_function.points[0]
+                .surface.opacity,
+            0.25);
+  EXPECT_EQ(set_field(plain(), "name=1/4").name, "1/4") << "a text stays one";
+  EXPECT_EQ(error_of("rendering.step=1/0"), "rendering.step: \"1/0\" divides by zero");
+  EXPECT_EQ(error_of("rendering.step=-,5"), "rendering.step: -0.5 is not at least 0.001");
+}
+
 TEST(SetField, MakesACameraAndTakesItAway) {
   const Preset with = set_field(plain(), "camera.eye=[0,0,5]");
   EXPECT_EQ(with.camera, (Camera{{0, 0, 5}, {0, 0, 1}, {0, 1, 0}, 30, ""}));

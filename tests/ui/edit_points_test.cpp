@@ -93,41 +93,6 @@ TEST(MakeStep, HoldsTheLeftNeighboursOpacityUpToThePoint) {
   EXPECT_DOUBLE_EQ(evaluate_right(tf, 4).opacity, 0.8);
 }
 
-TEST(Moved, StopsAtTheNeighboursValue) {
-  const auto points = points_of({{0, 0}, {1, 1}, {2, 0}});
-  EXPECT_EQ(moved(points, {1}, 50, 0)[1].value, 2);
-  EXPECT_EQ(moved(points, {1}, -50, 0.01)[1].value, 0);
-  EXPECT_EQ(moved(points, {2}, 50, 0)[2].value, 52);
-}
-
-TEST(Moved, KeepsTheSelectedTogether) {
-  const auto points = points_of({{0, 0}, {1, 1}, {1.5, 0.5}, {3, 0}});
-  const auto shifted = moved(points, {1, 2}, 50, 0);
-  EXPECT_EQ(shifted[2].value, 3);
-  EXPECT_EQ(shifted[1].value, 2.5);
-  const auto all = moved(points, {0, 1, 2, 3}, 50, 0);
-  EXPECT_EQ(all[0].value, 50);
-}
-
-TEST(SetPeakWidth, MovesTheFlanksInProportion) {
-  TransferFunction tf = tf_of({{0, 0}, {4, 0}, {5, 0.9}, {7, 0}, {10, 0}});
-  const std::vector<Peak> peaks = find_peaks(tf);
-  ASSERT_EQ(peaks.size(), 1U);
-  set_peak_width(tf, peaks[0], 0.3);
-  EXPECT_NEAR(tf.points[1].value, 4.9, 1e-12);
-  EXPECT_EQ(tf.points[2].value, 5);
-  EXPECT_NEAR(tf.points[3].value, 5.2, 1e-12);
-  set_peak_width(tf, find_peaks(tf)[0], 1000);
-  EXPECT_TRUE(is_ordered(tf));
-}
-
-TEST(SetPeakWidth, OpensASpikeOfNoWidth) {
-  TransferFunction tf = tf_of({{0, 0}, {5, 0}, {5, 0.9}, {5, 0}, {10, 0}});
-  set_peak_width(tf, find_peaks(tf).at(0), 0.5);
-  EXPECT_EQ(tf.points[1].value, 4.75);
-  EXPECT_EQ(tf.points[3].value, 5.25);
-}
-
 TEST(InDomain, ThereAndBackIsTheSame) {
   TransferFunction tf = tf_of({{0, 0}, {64, 0.5}, {128, 1}});
   const TransferFunction unit = in_domain(tf, Domain::normalized, {0, 128});
@@ -148,27 +113,6 @@ TEST(ErasePoints, TakesTheSelectedOnly) {
   ASSERT_EQ(tf.points.size(), 2U);
   EXPECT_EQ(tf.points[0].value, 1);
   EXPECT_EQ(tf.points[1].value, 3);
-}
-
-// A peak narrower than a handle moves as a whole, and keeps its width to the last digits.
-TEST(Moved, ANarrowPeakGoesWithItsFlanks) {
-  TransferFunction tf;
-  for (const auto& [value, opacity] :
-       {std::pair{0.0, 0.0}, {0.1 - 5e-5, 0.1}, {0.1, 0.9}, {0.1 + 5e-5, 0.1}, {1.0, 0.0}}) {
-    ControlPoint p;
-    p.value = value;
-    p.opacity = opacity;
-    tf.points.push_back(p);
-  }
-  const Selection moving = with_near_flanks(tf.points, {2}, 0.01);
-  EXPECT_EQ(moving, (Selection{1, 2, 3}));
-  EXPECT_EQ(with_near_flanks(tf.points, {2}, 1e-6), (Selection{2}));
-  const auto points = moved(tf.points, moving, 0.3, 0.002);
-  EXPECT_NEAR(points[2].value, 0.4, 2e-4);
-  EXPECT_NEAR(points[3].value - points[1].value, 1e-4, 1e-15);
-  tf.points = points;
-  ASSERT_EQ(find_peaks(tf).size(), 1u);
-  EXPECT_TRUE(find_peaks(tf)[0].spike);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ TEST_F(Panels, APeakIsSwitchedOffAndOn) {
 TEST_F(Panels, APeakIsEditedByNumbers) {
   type("##peak0.value", "48.0625");
   EXPECT_EQ(tf().points[2].value, 48.0625);
+  EXPECT_EQ(tf().points[1].value, 18.0625) << "its feet go along";
   type("##peak0.opacity", "0.3333333333333333");
   EXPECT_EQ(tf().points[2].opacity, 0.3333333333333333);
   type("##peak0.width", "1");
@@ -62,8 +63,15 @@ TEST_F(Panels, RenderingFieldsKeepTheirRanges) {
   type("##step", "0.125");
   EXPECT_EQ(rendering.step, 0.125);
   type("##step", "-3");
-  EXPECT_GT(rendering.step, 0);
+  EXPECT_EQ(rendering.step, 0.125);
+  type("##step", "1/4");
+  EXPECT_EQ(rendering.step, 0.25);
   type("##max peaks", "1000");
+  EXPECT_EQ(rendering.max_peaks, 4);
+  type("##max peaks", "2.5");
+  EXPECT_EQ(rendering.max_peaks, 4);
+  EXPECT_EQ(state->widgets.refused->why, "2.5 is not a whole number");
+  type("##max peaks", "64");
   EXPECT_EQ(rendering.max_peaks, 64);
   type("##peak bins", "16");
   EXPECT_EQ(rendering.peak_bins, 16);
@@ -86,7 +94,7 @@ TEST_F(Panels, TheEngineBringsItsOwnRows) {
   click("##engine/vdls");
   EXPECT_EQ(rendering.engine, Engine::vdls);
   frame();
-  type("##layers per pass", "100");
+  type("##layers per pass", "64");
   EXPECT_EQ(rendering.vdls.layers_per_pass, 64);
   click("##early test");
   EXPECT_FALSE(rendering.vdls.early_test);
@@ -102,7 +110,7 @@ TEST_F(Panels, TheClassificationTakesItsPlacement) {
   EXPECT_EQ(rendering.classification, ClassificationMethod::preintegrated_table);
   EXPECT_EQ(rendering.placement, Placement::entry);
   EXPECT_FALSE(rendering.adaptive);
-  type("##preintegration bins", "5000");
+  type("##preintegration bins", "2048");
   EXPECT_EQ(rendering.preintegration_bins, 2048);
   click("##placement");
   click("##placement/eye");
@@ -123,6 +131,8 @@ TEST_F(Panels, TheFiltersAreChosen) {
   }
   type("##bc b", "2");
   type("##bc c", "11");
+  EXPECT_EQ(state->widgets.refused->why, "11 is not in [-10, 10]");
+  type("##bc c", "10");
   EXPECT_EQ(rendering.bc_b, 2);
   EXPECT_EQ(rendering.bc_c, 10);
   click("##root filter");
