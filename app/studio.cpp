@@ -42,6 +42,19 @@ Preset without_camera(Preset preset) {
   return preset;
 }
 
+/// The preset with the surface of these points in a colour that stands out.
+Preset with_lit_points(Preset preset, const std::optional<std::pair<std::size_t, std::size_t>>& points) {
+  if (!points) return preset;
+  constexpr double least_opacity = 0.9;
+  const glm::dvec3 light{1, 0.15, 0.85};
+  auto& all = preset.transfer_function.points;
+  for (std::size_t i = points->first; i <= points->second && i < all.size(); ++i) {
+    all[i].color = light;
+    all[i].surface.opacity = std::max(all[i].surface.opacity.value_or(all[i].opacity), least_opacity);
+  }
+  return preset;
+}
+
 }  // namespace
 
 Studio::Studio(Document document, FitPreset fit, std::filesystem::path shader_folder)
@@ -267,7 +280,7 @@ StudioInputs Studio::inputs(bool close_requested) {
 std::array<ViewRequest, view_count> Studio::view_requests(const StudioRequests& requests) const {
   std::array<ViewRequest, view_count> wanted;
   if (!loaded_.volume) return wanted;
-  const Scene scene = make_scene(loaded_.volume, document_.preset);
+  const Scene scene = make_scene(loaded_.volume, with_lit_points(document_.preset, requests.lit_points));
   for (std::size_t i = 0; i < view_count; ++i) {
     const glm::ivec2 size = requests.view_pixels[i];
     if (size.x <= 0) continue;

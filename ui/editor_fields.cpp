@@ -128,7 +128,10 @@ bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widg
     ImGui::SameLine();
     if (ImGui::Button(text)) ImGui::OpenPopup(popup);
     note_item(widgets, popup);
-    return ImGui::BeginPopup(popup);
+    ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + scaled(2)});
+    if (!ImGui::BeginPopup(popup)) return false;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
+    return true;
   };
   if (ImGui::Button("Add peak")) changed |= add_shape(tf, editor, Shape::spike, visible);
   note_item(widgets, "add peak");

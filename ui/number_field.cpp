@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/style.h"
 
@@ -117,6 +118,37 @@ bool integer_field(WidgetState& state, const char* name, int& value, int least, 
   const int before = value;
   value = int((*edit)(before));
   return value != before;
+}
+
+bool drag_field(WidgetState& state, const char* name, double& value, const FieldRule& rule, float width,
+                const std::function<double(double from, double pixels)>& dragged) {
+  const ImGuiID id = ImGui::GetID(name);
+  FieldDrag& drag = state.drag;
+  const bool is_refused = state.refused && state.refused->field == id;
+  if (is_refused || drag.typed == id) {
+    if (std::exchange(drag.begin_typing, false)) ImGui::SetKeyboardFocusHere();
+    const bool changed = number_field(state, name, value, rule, width);
+    if (ImGui::IsItemActive()) drag.frames = 0;
+    if (!ImGui::IsItemActive() && --drag.frames < 0) drag.typed = 0;
+    return changed;
+  }
+  const float room = width_of_item(width);
+  ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
+  ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0, 0.5F});
+  const bool released =
+      ImGui::Button(fmt::format("{}###{}", fitting_text(value, room), name).c_str(), {room, 0});
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  note_item(state, name);
+  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (ImGui::IsItemActivated()) drag.from = value, drag.moved = false;
+  if (released && !drag.moved) drag.typed = id, drag.begin_typing = true, drag.frames = 3;
+  if (!ImGui::IsItemActive()) return false;
+  const float pixels = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 3).x;
+  drag.moved |= pixels != 0;
+  if (!drag.moved) return false;
+  const double to = std::clamp(dragged(drag.from, double(pixels)), rule.min, rule.max);
+  return std::exchange(value, to) != to;
 }
 
 std::string numbers_text(std::span<const double> values, float width) {

@@ -23,6 +23,11 @@ std::optional<NumberEdit> number_entry(WidgetState& state, const char* name, con
 bool number_field(WidgetState& state, const char* name, double& value, const FieldRule& rule, float width);
 bool integer_field(WidgetState& state, const char* name, int& value, int least, int most, float width);
 
+/// A field that is dragged from side to side, too: a click without a drag types. `dragged` tells the number
+/// that is so many pixels from one; it is kept within the rule.
+bool drag_field(WidgetState& state, const char* name, double& value, const FieldRule& rule, float width,
+                const std::function<double(double from, double pixels)>& dragged);
+
 /// Several values in a field of this width: the one that they have, or their range.
 std::string numbers_text(std::span<const double> values, float width);
 /// A field for all of them. Each value must stay within the

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "presets/exchange/importers.h"
@@ -103,6 +104,8 @@ struct StudioRequests {
   std::array<glm::ivec2, view_count>
       view_pixels{};  ///< size to draw each view at; (0, 0) = it is not visible
   ShownPicture shown_picture = ShownPicture::exact;
+  /// Control points, first and last, whose surface is lit while the mouse rests on it in the list.
+  std::optional<std::pair<std::size_t, std::size_t>> lit_points;
   bool document_changed = false;      ///< by this frame: an edit, undo or redo
   std::optional<bool> measure;        ///< switches the measurement in the background on or off
   std::optional<TargetError> choose;  ///< a setting that keeps this error

@@ -33,6 +33,15 @@ struct RefusedNumber {
   bool is_shown = false;  ///< in this frame
 };
 
+/// A field that is dragged, or typed in after a click.
+struct FieldDrag {
+  ImGuiID typed = 0;  ///< in which one types
+  bool begin_typing = false;
+  int frames = 0;   ///< until it must be active
+  double from = 0;  ///< the number when the drag began
+  bool moved = false;
+};
+
 /// What the small widgets share.
 struct WidgetState {
   ItemRects items;
@@ -40,6 +49,7 @@ struct WidgetState {
   bool take_typed = false;    ///< in this frame what is typed is taken although nobody left its field
   bool number_taken = false;  ///< in this frame
   std::optional<RefusedNumber> refused;
+  FieldDrag drag;
 };
 
 /// Remembers the last item's place under `name`.

@@ -122,6 +122,16 @@ TEST(Moved, FeetKeepToTheCurveBeneath) {
   }
 }
 
+TEST(Moved, AStepThatRisesFromTheCurveStillDoes) {
+  TransferFunction tf = tf_of({{0, 0}, {100, 0.5}});
+  const std::size_t upper = insert_step(tf, 80, 0.9);
+  tf.points = moved(tf, whole_of(tf, {upper}), upper, 50, Neighbours::free).points;
+  EXPECT_EQ(tf.points, points_of({{0, 0}, {50, 0.25}, {50, 0.9}, {100, 0.5}}));
+  const TransferFunction plain = tf_of({{0, 0}, {50, 0}, {50, 0.5}, {100, 0.5}});
+  EXPECT_EQ(moved(plain, {1, 2}, 1, 30, Neighbours::free).points,
+            points_of({{0, 0}, {30, 0}, {30, 0.5}, {100, 0.5}}));
+}
+
 TEST(Moved, ValuesOfFewDigitsStaySo) {
   const TransferFunction tf = tf_of({{0, 0}, {0.1, 0}, {0.2, 1}, {0.3, 0}, {1, 0}});
   const Moved result = moved(tf, {1, 2, 3}, 2, 0.9, Neighbours::free);
