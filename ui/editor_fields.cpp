@@ -52,7 +52,7 @@ bool value_field(TransferFunction& tf, EditorState& editor, WidgetState& widgets
                                                  : std::string();
   };
   field_label(values.size() == 1 ? "Value" : anchor == editor.selection[0] ? "First" : "Top");
-  if (std::exchange(editor.type_value, false)) ImGui::SetKeyboardFocusHere();
+  if (std::exchange(editor.type_value, false)) open_next_field(widgets, "##value");
   const auto edit = number_entry(widgets, "##value", numbers_text(values, width), why_not, width);
   tip(values.size() > 1
           ? "Of the top of the selected points, or of the first; the others go along.\n+=5 moves them all by "

@@ -14,6 +14,9 @@ namespace crest {
 // taken stays in the field, in red, with the reason under it. `name` is the field's ID (give it "##"); it is
 // noted as an item, and where its text was refused, "NAME/refused" too.
 
+/// Opens the field that comes next, to be typed in. What is typed until it is ready is not lost.
+void open_next_field(WidgetState& state, const char* name);
+
 /// A field that shows `shown`. Returns what was typed, if `why_not` has nothing against it.
 std::optional<NumberEdit> number_entry(WidgetState& state, const char* name, const std::string& shown,
                                        const std::function<std::string(const NumberEdit&)>& why_not,

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "presets/names.h"
 
@@ -42,6 +43,13 @@ struct FieldDrag {
   bool moved = false;
 };
 
+/// What is typed before a field that was opened is ready for it, two frames later.
+struct TypedAhead {
+  ImGuiID field = 0;
+  std::vector<ImWchar> characters;
+  int frames = 0;  ///< that it still has
+};
+
 /// What the small widgets share.
 struct WidgetState {
   ItemRects items;
@@ -50,6 +58,7 @@ struct WidgetState {
   bool number_taken = false;  ///< in this frame
   std::optional<RefusedNumber> refused;
   FieldDrag drag;
+  TypedAhead ahead;
 };
 
 /// Remembers the last item's place under `name`.
