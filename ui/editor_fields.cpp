@@ -71,7 +71,9 @@ bool opacity_field(TransferFunction& tf, const EditorState& editor, WidgetState&
       widgets, "##opacity", of_selected(tf, editor.selection, &ControlPoint::opacity), unit_interval, width);
   tip("Of all selected points; *=0.5 halves each, +=0.1 adds to each");
   if (!edit) return false;
+  const TransferFunction before = tf;
   for (const std::size_t i : editor.selection) tf.points[i].opacity = (*edit)(tf.points[i].opacity);
+  keep_feet_on_curve(tf, before);
   return true;
 }
 
@@ -83,7 +85,9 @@ bool color_field(TransferFunction& tf, const EditorState& editor, WidgetState& w
   glm::dvec3 color = first.color;
   const bool changed = color_square(widgets, "##color", color);
   if (changed) {
+    const TransferFunction before = tf;
     for (const std::size_t i : editor.selection) tf.points[i].color = color;
+    keep_feet_on_curve(tf, before);
   } else if (other != editor.selection.end()) {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImGui::GetWindowDrawList()->AddTriangleFilled({high.x - 1, low.y + 1}, {high.x - 1, high.y - 1},

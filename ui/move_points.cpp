@@ -273,6 +273,16 @@ Moved moved(const TransferFunction& before, const Selection& moving, std::size_t
   return in_order(points);
 }
 
+void keep_feet_on_curve(TransferFunction& tf, const TransferFunction& before) {
+  Points kept = tf.points;
+  stand_on_curve(kept, before, {});
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const bool is_edited =
+        tf.points[i].opacity != before.points[i].opacity || tf.points[i].color != before.points[i].color;
+    if (!is_edited) tf.points[i] = kept[i];
+  }
+}
+
 void set_peak_width(TransferFunction& tf, const Peak& peak, double width) {
   if (!(width >= 0) || peak.right >= tf.points.size() || peak.left >= peak.first_point ||
       peak.right <= peak.last_point)

@@ -49,19 +49,30 @@ bool value_cell(TransferFunction& tf, EditorState& editor, WidgetState& widgets,
   return true;
 }
 
+/// The spikes beside an edited point keep to the curve.
+bool edit_point(TransferFunction& tf, std::size_t row, const ControlPoint& edited) {
+  const TransferFunction before = tf;
+  tf.points[row] = edited;
+  keep_feet_on_curve(tf, before);
+  return true;
+}
+
 bool point_row(TransferFunction& tf, EditorState& editor, WidgetState& widgets, std::size_t row) {
+  const auto name = [&](const char* field) { return field_name(row, field); };
   ImGui::TableNextColumn();
   number_cell(editor, widgets, row);
+  bool changed = false;
+  ControlPoint point = tf.points[row];
   ImGui::TableNextColumn();
-  bool changed = color_square(widgets, field_name(row, "color").c_str(), tf.points[row].color);
+  if (color_square(widgets, name("color").c_str(), point.color)) changed |= edit_point(tf, row, point);
   ImGui::TableNextColumn();
-  changed |= value_cell(tf, editor, widgets, row);
+  const bool moves = value_cell(tf, editor, widgets, row);
   ImGui::TableNextColumn();
-  changed |=
-      number_field(widgets, field_name(row, "opacity").c_str(), tf.points[row].opacity, unit_interval, -1);
+  if (number_field(widgets, name("opacity").c_str(), point.opacity, unit_interval, -1) && !moves)
+    changed |= edit_point(tf, row, point);
   ImGui::TableNextColumn();
-  changed |= choice(widgets, field_name(row, "surface").c_str(), tf.points[row].surface.mode, -1);
-  return changed;
+  changed |= choice(widgets, name("surface").c_str(), tf.points[row].surface.mode, -1);
+  return changed || moves;
 }
 
 }  // namespace

@@ -122,6 +122,21 @@ TEST(Moved, FeetKeepToTheCurveBeneath) {
   }
 }
 
+TEST(KeepFeetOnCurve, GoWithTheCurveUnlessTheyAreEdited) {
+  TransferFunction tf = tf_of({{0, 0}, {10, 1}});
+  const std::size_t apex = insert_peak(tf, 5, 0.9, 0.1, {1, 1, 1});
+  TransferFunction before = tf;
+  tf.points.back().opacity = 0.2;
+  keep_feet_on_curve(tf, before);
+  EXPECT_NEAR(tf.points[apex - 1].opacity, 0.2 * 0.495, 1e-12);
+  EXPECT_NEAR(tf.points[apex + 1].opacity, 0.2 * 0.505, 1e-12);
+  EXPECT_EQ(tf.points[apex].opacity, 0.9);
+  before = tf;
+  tf.points[apex - 1].opacity = 0.5;
+  keep_feet_on_curve(tf, before);
+  EXPECT_EQ(tf.points[apex - 1].opacity, 0.5);
+}
+
 TEST(Moved, AStepThatRisesFromTheCurveStillDoes) {
   TransferFunction tf = tf_of({{0, 0}, {100, 0.5}});
   const std::size_t upper = insert_step(tf, 80, 0.9);
