@@ -102,7 +102,7 @@ class Studio {
   SweepSubject choice_subject(glm::ivec2 size) const;
   void take_choice();
   void update_choice(const StudioRequests& requests);
-  ViewRequest request_of(const ViewContent& content, ShownPicture shown_by_all, glm::ivec2 size) const;
+  ViewRequest request_of(const ViewContent& content, const StudioRequests& requests, glm::ivec2 size) const;
   std::array<ViewRequest, picture_count> view_requests(const StudioRequests& requests) const;
   void update_rays(const StudioRequests& requests, bool interactive);
   void save_ray_to(const std::filesystem::path& path);

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <utility>
+
 #include "app/studio.h"
 #include "render/scene/camera.h"
 #include "render/scene/exact.h"
@@ -5,12 +8,31 @@
 // What the studio's views are to show, and what a person finds out in them.
 
 namespace crest {
+namespace {
+
+/// The preset with the surface of these points in a colour that stands out.
+Preset with_lit_points(Preset preset, const std::optional<std::pair<std::size_t, std::size_t>>& points) {
+  if (!points) return preset;
+  constexpr double least_opacity = 0.9;
+  const glm::dvec3 light{1, 0.15, 0.85};
+  auto& all = preset.transfer_function.points;
+  for (std::size_t i = points->first; i <= points->second && i < all.size(); ++i) {
+    all[i].color = light;
+    all[i].surface.opacity = std::max(all[i].surface.opacity.value_or(all[i].opacity), least_opacity);
+  }
+  return preset;
+}
+
+}  // namespace
 
 /// A content's picture; by the exact march where that is wanted, and there is one for the settings.
-ViewRequest Studio::request_of(const ViewContent& content, ShownPicture shown_by_all, glm::ivec2 size) const {
+ViewRequest Studio::request_of(const ViewContent& content, const StudioRequests& requests,
+                               glm::ivec2 size) const {
   const Camera camera = camera_of(document_.preset, loaded_.volume->grid, aspect_of(size));
-  ViewRequest request{make_scene(loaded_.volume, preset_of(content, document_.preset)), camera, size};
-  const ShownPicture shown = content.picture.value_or(shown_by_all);
+  Preset preset = preset_of(content, document_.preset);
+  if (!content.other) preset = with_lit_points(std::move(preset), requests.lit_points);
+  ViewRequest request{make_scene(loaded_.volume, preset), camera, size};
+  const ShownPicture shown = content.picture.value_or(requests.shown_picture);
   Rendering& rendering = request.scene.rendering;
   if (shown == ShownPicture::as_set || !why_not_exact(rendering).empty()) return request;
   rendering = exact_rendering(rendering);
@@ -23,9 +45,9 @@ std::array<ViewRequest, picture_count> Studio::view_requests(const StudioRequest
   if (!loaded_.volume) return wanted;
   for (std::size_t i = 0; i < view_count; ++i)
     if (const glm::ivec2 size = requests.view_pixels[i]; size.x > 0)
-      wanted[i] = request_of(requests.contents[i], requests.shown_picture, size);
+      wanted[i] = request_of(requests.contents[i], requests, size);
   if (requests.comparison)
-    wanted[compared_picture] = request_of(requests.comparison->with, requests.shown_picture,
+    wanted[compared_picture] = request_of(requests.comparison->with, requests,
                                           requests.view_pixels[std::size_t(requests.comparison->view)]);
   return wanted;
 }

@@ -53,7 +53,6 @@ void note_all_input(GLFWwindow* window, WindowInput& input) {
     if (action == GLFW_RELEASE) input_of(w).released = true;
   });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { note_input(w); });
-  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { note_input(w); });
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { note_input(w); });
   glfwSetWindowRefreshCallback(window, note_input);
   glfwSetWindowCloseCallback(window, note_input);
@@ -63,12 +62,22 @@ void note_all_input(GLFWwindow* window, WindowInput& input) {
   });
 }
 
-/// Keys are kept until the next frame, instead of going to Dear ImGui at once.
+/// Keys and what they type are kept until the next frame, instead of going to Dear ImGui at once.
 void queue_keys(GLFWwindow* window) {
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
     note_input(w);
     input_of(w).keys.push_back({key, scancode, action, mods});
   });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+    note_input(w);
+    input_of(w).keys.push_back({0, 0, GLFW_REPEAT, 0, character});
+  });
+}
+
+/// Whether a key only types its character into a field that is open: it needs no frame of its own.
+bool is_text(const KeyEvent& event) {
+  const bool printable = event.key >= GLFW_KEY_SPACE && event.key <= GLFW_KEY_GRAVE_ACCENT;
+  return printable && (event.mods & ~GLFW_MOD_SHIFT) == 0 && ImGui::GetIO().WantTextInput;
 }
 
 /// Tells Dear ImGui of the keys: all that went down, up to the first that goes up after it, which waits for
@@ -78,8 +87,11 @@ void tell_keys(GLFWwindow* window, std::deque<KeyEvent>& keys) {
   for (bool pressed = false; !keys.empty(); keys.pop_front()) {
     const KeyEvent event = keys.front();
     if (pressed && event.action == GLFW_RELEASE) break;
-    pressed |= event.action == GLFW_PRESS;
-    ImGui_ImplGlfw_KeyCallback(window, event.key, event.scancode, event.action, event.mods);
+    pressed |= event.action == GLFW_PRESS && !is_text(event);
+    if (event.character != 0)
+      ImGui_ImplGlfw_CharCallback(window, event.character);
+    else
+      ImGui_ImplGlfw_KeyCallback(window, event.key, event.scancode, event.action, event.mods);
   }
 }
 

@@ -10,9 +10,10 @@ struct GLFWwindow;
 
 namespace crest {
 
-/// A key that went down or up, as GLFW tells it.
+/// A key that went down or up, as GLFW tells it; or a character that was typed.
 struct KeyEvent {
   int key, scancode, action, mods;
+  unsigned character = 0;  ///< then the others have no meaning
 };
 
 /// What came in since it was last asked for.

@@ -29,8 +29,8 @@ bool paste_points(TransferFunction& tf, EditorState& editor, ValueRange volume, 
   TransferFunction pasted;
   try {
     pasted = in_domain(points_in(text ? text : ""), tf.domain, volume);
-  } catch (const Error& error) {
-    editor.note = std::string("The clipboard holds no points: ") + error.what();
+  } catch (const Error&) {
+    editor.note = "The clipboard holds no points";
     return false;
   }
   constexpr int most_steps = 1000;

@@ -53,7 +53,7 @@ bool value_field(TransferFunction& tf, EditorState& editor, WidgetState& widgets
                                                  : std::string();
   };
   field_label(values.size() == 1 ? "Value" : anchor == editor.selection[0] ? "First" : "Top");
-  if (std::exchange(editor.type_value, false)) ImGui::SetKeyboardFocusHere();
+  if (std::exchange(editor.type_value, false)) open_next_field(widgets, "##value");
   const auto edit = number_entry(widgets, "##value", numbers_text(values, width), why_not, width);
   tip(values.size() > 1
           ? "Of the top of the selected points, or of the first; the others go along.\n+=5 moves them all by "
@@ -72,7 +72,9 @@ bool opacity_field(TransferFunction& tf, const EditorState& editor, WidgetState&
       widgets, "##opacity", of_selected(tf, editor.selection, &ControlPoint::opacity), unit_interval, width);
   tip("Of all selected points; *=0.5 halves each, +=0.1 adds to each");
   if (!edit) return false;
+  const TransferFunction before = tf;
   for (const std::size_t i : editor.selection) tf.points[i].opacity = (*edit)(tf.points[i].opacity);
+  keep_feet_on_curve(tf, before);
   return true;
 }
 
@@ -84,7 +86,9 @@ bool color_field(TransferFunction& tf, const EditorState& editor, WidgetState& w
   glm::dvec3 color = first.color;
   const bool changed = color_square(widgets, "##color", color);
   if (changed) {
+    const TransferFunction before = tf;
     for (const std::size_t i : editor.selection) tf.points[i].color = color;
+    keep_feet_on_curve(tf, before);
   } else if (other != editor.selection.end()) {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImGui::GetWindowDrawList()->AddTriangleFilled({high.x - 1, low.y + 1}, {high.x - 1, high.y - 1},
@@ -114,7 +118,10 @@ bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widg
     ImGui::SameLine();
     if (ImGui::Button(text)) ImGui::OpenPopup(popup);
     note_item(widgets, popup);
-    return ImGui::BeginPopup(popup);
+    ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + scaled(2)});
+    if (!ImGui::BeginPopup(popup)) return false;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
+    return true;
   };
   if (ImGui::Button("Add peak")) changed |= add_shape(tf, editor, Shape::spike, visible);
   note_item(widgets, "add peak");

@@ -50,10 +50,11 @@ struct EditorState {
   std::optional<double> new_peak_width;  ///< in the TF's values; without it, a share of what is in sight
   Neighbours neighbours = Neighbours::free;
   bool snap = true;
-  std::vector<double> landmarks;  ///< values to snap to, of the volume's histogram
-  std::string note;               ///< why something could not be done, until the next press
-  bool type_value = false;        ///< the value's field is to be typed in, next
-  bool peak_rule = false;         ///< the row of fields that say what a peak is
+  std::vector<double> landmarks;            ///< values to snap to, of the volume's histogram
+  std::string note;                         ///< why something could not be done, until the next press
+  bool type_value = false;                  ///< the value's field is to be typed in, next
+  std::optional<std::size_t> hovered_peak;  ///< in the list of peaks, in this frame
+  bool peak_rule = false;                   ///< the row of fields that say what a peak is
   EditorDrag drag;
   HistogramCache histogram;
   double menu_value = 0, menu_opacity = 0;  ///< where the right-click menu was opened

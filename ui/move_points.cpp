@@ -90,6 +90,10 @@ void push_neighbours(Points& points, const TransferFunction& before, const Selec
   }
 }
 
+bool is_same(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) < 1e-9;
+}
+
 TransferFunction without(const TransferFunction& tf, const Points& points, const Selection& selection) {
   TransferFunction rest = tf;
   rest.points = points;
@@ -97,17 +101,36 @@ TransferFunction without(const TransferFunction& tf, const Points& points, const
   return rest;
 }
 
-bool is_same(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) < 1e-9;
+/// Whether a point has the opacity of a curve at its value, on either side.
+bool is_on(const TransferFunction& curve, const ControlPoint& point) {
+  for (const Classified& on : {evaluate_left(curve, point.value), evaluate_right(curve, point.value)})
+    if (std::abs(on.opacity - point.opacity) <= 1e-9) return true;
+  return false;
 }
 
-/// The peaks that stand on the curve beneath, or may: spikes, and those that move as a whole.
-std::vector<PointRange> standing_peaks(const TransferFunction& tf, const Selection& moving) {
+/// The steps that move and begin or end on the curve that there is without them.
+std::vector<PointRange> standing_steps(const TransferFunction& tf, const Selection& moving) {
+  std::vector<PointRange> standing;
+  for (std::size_t i = 0; i + 1 < tf.points.size(); ++i) {
+    const auto same = std::ranges::equal_range(tf.points, tf.points[i].value, {}, &ControlPoint::value);
+    if (same.size() != 2 || tf.points[i + 1].value != tf.points[i].value) continue;
+    if (!contains(moving, i, i + 1)) continue;
+    const TransferFunction rest = without(tf, tf.points, {i, i + 1});
+    if (!rest.points.empty() && (is_on(rest, tf.points[i]) || is_on(rest, tf.points[i + 1])))
+      standing.push_back({i, i + 1});
+  }
+  return standing;
+}
+
+/// The shapes that stand on the curve beneath, or may: spikes, and peaks and steps that move as a whole.
+std::vector<PointRange> standing_shapes(const TransferFunction& tf, const Selection& moving) {
   std::vector<PointRange> standing;
   for (const Peak& peak : find_peaks(tf)) {
     const PointRange shape = points_of(tf, peak);
     if (peak.detected && (peak.spike || contains(moving, shape.first, shape.last))) standing.push_back(shape);
   }
+  std::ranges::copy(standing_steps(tf, moving), std::back_inserter(standing));
+  std::ranges::sort(standing, {}, &PointRange::first);
   return standing;
 }
 
@@ -117,12 +140,11 @@ struct CurveBeneath {
 
   /// What `point` has at its new place, if it stood on the curve.
   void stand(const ControlPoint& was, ControlPoint& point, const Classified& place) const {
-    for (const Classified& on : {evaluate_left(before, was.value), evaluate_right(before, was.value)}) {
-      if (std::abs(on.opacity - was.opacity) > 1e-9) continue;
-      point.opacity = std::clamp(place.opacity, 0.0, 1.0);
-      if (is_same(on.color, was.color)) point.color = place.color;
-      return;
-    }
+    if (!is_on(before, was)) return;
+    point.opacity = std::clamp(place.opacity, 0.0, 1.0);
+    if (is_same(evaluate_left(before, was.value).color, was.color) ||
+        is_same(evaluate_right(before, was.value).color, was.color))
+      point.color = place.color;
   }
   /// Between foot and top a point keeps its share of the height.
   void keep_share(const ControlPoint& was, ControlPoint& point, double top) const {
@@ -135,7 +157,7 @@ struct CurveBeneath {
 };
 
 void stand_on_curve(Points& after, const TransferFunction& before, const Selection& moving) {
-  const std::vector<PointRange> peaks = standing_peaks(before, moving);
+  const std::vector<PointRange> peaks = standing_shapes(before, moving);
   Selection shapes;
   for (const PointRange& peak : peaks)
     for (std::size_t i = std::max(peak.first, shapes.empty() ? 0 : shapes.back() + 1); i <= peak.last; ++i)
@@ -143,10 +165,7 @@ void stand_on_curve(Points& after, const TransferFunction& before, const Selecti
   CurveBeneath curve{without(before, before.points, shapes), without(before, after, shapes)};
   if (curve.before.points.empty()) return;
   std::ranges::stable_sort(curve.after.points, {}, &ControlPoint::value);
-  const auto stands = [&](std::size_t foot) {
-    const ControlPoint& p = before.points[foot];
-    return std::abs(evaluate(curve.before, p.value).opacity - p.opacity) <= 1e-9;
-  };
+  const auto stands = [&](std::size_t foot) { return is_on(curve.before, before.points[foot]); };
   for (const PointRange& peak : peaks) {
     const auto place = [&](std::size_t i) { return after[i].value; };
     curve.stand(before.points[peak.first], after[peak.first], evaluate_right(curve.after, place(peak.first)));
@@ -252,6 +271,16 @@ Moved moved(const TransferFunction& before, const Selection& moving, std::size_t
     push_neighbours(points, before, moving, to > from ? 1 : -1);
   stand_on_curve(points, before, moving);
   return in_order(points);
+}
+
+void keep_feet_on_curve(TransferFunction& tf, const TransferFunction& before) {
+  Points kept = tf.points;
+  stand_on_curve(kept, before, {});
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const bool is_edited =
+        tf.points[i].opacity != before.points[i].opacity || tf.points[i].color != before.points[i].color;
+    if (!is_edited) tf.points[i] = kept[i];
+  }
 }
 
 void set_peak_width(TransferFunction& tf, const Peak& peak, double width) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/style.h"
 
@@ -51,9 +52,27 @@ std::string number_why_not(double value, const FieldRule& rule) {
   return {};
 }
 
+/// Collects the characters of the frames in which the field is not active yet, and then hands them to it.
+void keep_typed_ahead(TypedAhead& ahead, ImGuiID id) {
+  if (ahead.field != id) return;
+  ImVector<ImWchar>& queue = ImGui::GetIO().InputQueueCharacters;
+  ahead.characters.insert(ahead.characters.end(), queue.begin(), queue.end());
+  const bool is_ready = ImGui::GetActiveID() == id;
+  queue.resize(0);
+  if (is_ready)
+    for (const ImWchar c : ahead.characters) queue.push_back(c);
+  if (is_ready || --ahead.frames < 0) ahead = {};
+}
+
 bool escape_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
 
 }  // namespace
+
+void open_next_field(WidgetState& state, const char* name) {
+  ImGui::SetKeyboardFocusHere();
+  constexpr int frames_to_open = 10;
+  state.ahead = {ImGui::GetID(name), {}, frames_to_open};
+}
 
 std::optional<NumberEdit> number_entry(WidgetState& state, const char* name, const std::string& shown,
                                        const std::function<std::string(const NumberEdit&)>& why_not,
@@ -64,6 +83,7 @@ std::optional<NumberEdit> number_entry(WidgetState& state, const char* name, con
   const bool is_refused = refused && refused->field == id;
   const auto found = state.typed.find(id);
   std::string text = found != state.typed.end() ? found->second.text : is_refused ? refused->text : shown;
+  keep_typed_ahead(state.ahead, id);
   if (is_refused) ImGui::PushStyleColor(ImGuiCol_Text, palette::error);
   ImGui::SetNextItemWidth(width);
   ImGui::InputText(name, &text, ImGuiInputTextFlags_AutoSelectAll);
@@ -75,6 +95,7 @@ std::optional<NumberEdit> number_entry(WidgetState& state, const char* name, con
     refused->is_shown = true;
   }
   if (ImGui::IsItemActive()) {
+    note_item(state, "typing");
     state.typed.try_emplace(id, TypedText{{}, shown}).first->second.text = text;
     if (!state.take_typed) return std::nullopt;
     ImGui::ClearActiveID();
@@ -117,6 +138,37 @@ bool integer_field(WidgetState& state, const char* name, int& value, int least, 
   const int before = value;
   value = int((*edit)(before));
   return value != before;
+}
+
+bool drag_field(WidgetState& state, const char* name, double& value, const FieldRule& rule, float width,
+                const std::function<double(double from, double pixels)>& dragged) {
+  const ImGuiID id = ImGui::GetID(name);
+  FieldDrag& drag = state.drag;
+  const bool is_refused = state.refused && state.refused->field == id;
+  if (is_refused || drag.typed == id) {
+    if (std::exchange(drag.begin_typing, false)) open_next_field(state, name);
+    const bool changed = number_field(state, name, value, rule, width);
+    if (ImGui::IsItemActive()) drag.frames = 0;
+    if (!ImGui::IsItemActive() && --drag.frames < 0) drag.typed = 0;
+    return changed;
+  }
+  const float room = width_of_item(width);
+  ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
+  ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0, 0.5F});
+  const bool released =
+      ImGui::Button(fmt::format("{}###{}", fitting_text(value, room), name).c_str(), {room, 0});
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  note_item(state, name);
+  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (ImGui::IsItemActivated()) drag.from = value, drag.moved = false;
+  if (released && !drag.moved) drag.typed = id, drag.begin_typing = true, drag.frames = 3;
+  if (!ImGui::IsItemActive()) return false;
+  const float pixels = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 3).x;
+  drag.moved |= pixels != 0;
+  if (!drag.moved) return false;
+  const double to = std::clamp(dragged(drag.from, double(pixels)), rule.min, rule.max);
+  return std::exchange(value, to) != to;
 }
 
 std::string numbers_text(std::span<const double> values, float width) {

@@ -14,6 +14,9 @@ namespace crest {
 // taken stays in the field, in red, with the reason under it. `name` is the field's ID (give it "##"); it is
 // noted as an item, and where its text was refused, "NAME/refused" too.
 
+/// Opens the field that comes next, to be typed in. What is typed until it is ready is not lost.
+void open_next_field(WidgetState& state, const char* name);
+
 /// A field that shows `shown`. Returns what was typed, if `why_not` has nothing against it.
 std::optional<NumberEdit> number_entry(WidgetState& state, const char* name, const std::string& shown,
                                        const std::function<std::string(const NumberEdit&)>& why_not,
@@ -22,6 +25,11 @@ std::optional<NumberEdit> number_entry(WidgetState& state, const char* name, con
 /// Returns whether the value changed.
 bool number_field(WidgetState& state, const char* name, double& value, const FieldRule& rule, float width);
 bool integer_field(WidgetState& state, const char* name, int& value, int least, int most, float width);
+
+/// A field that is dragged from side to side, too: a click without a drag types. `dragged` tells the number
+/// that is so many pixels from one; it is kept within the rule.
+bool drag_field(WidgetState& state, const char* name, double& value, const FieldRule& rule, float width,
+                const std::function<double(double from, double pixels)>& dragged);
 
 /// Several values in a field of this width: the one that they have, or their range.
 std::string numbers_text(std::span<const double> values, float width);

@@ -3,21 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
-#include "ui/edit_points.h"
+#include "ui/edit_peaks.h"
 #include "ui/number_field.h"
 #include "ui/style.h"
 
 namespace crest {
 namespace {
-
-/// The points of a peak's top.
-Selection top_of(const Peak& peak) {
-  Selection top;
-  for (std::size_t i = peak.first_point; i <= peak.last_point; ++i) top.push_back(i);
-  return top;
-}
 
 std::string field_name(std::size_t row, const char* field) { return fmt::format("##peak{}.{}", row, field); }
 
@@ -39,7 +33,11 @@ bool value_cell(TransferFunction& tf, EditorState& editor, const Peak& peak, std
 bool opacity_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetState& widgets) {
   ControlPoint& point = tf.points[peak.first_point];
   double opacity = point.surface.opacity.value_or(point.opacity);
-  if (!number_field(widgets, field_name(row, "opacity").c_str(), opacity, unit_interval, -1)) return false;
+  const auto dragged = [](double from, double pixels) {
+    return round_to_resolution(from + pixels / 200, 0.05);
+  };
+  if (!drag_field(widgets, field_name(row, "opacity").c_str(), opacity, unit_interval, -1, dragged))
+    return false;
   for (const std::size_t i : top_of(peak)) {
     if (tf.points[i].surface.opacity)
       tf.points[i].surface.opacity = opacity;
@@ -55,46 +53,134 @@ bool width_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetS
     return false;
   }
   double width = peak_width(tf, peak);
-  if (!number_field(widgets, field_name(row, "width").c_str(), width, not_negative, -1)) return false;
+  // By factors, as widths are told apart; what is 0 begins with a thousandth of a spike's.
+  const double least = 1e-3 * widest_spike(tf);
+  const auto dragged = [&](double from, double pixels) {
+    const double to = std::max(from, least) * std::pow(1.02, pixels);
+    return to < least ? 0 : round_to_resolution(to, 0.1 * to);
+  };
+  if (!drag_field(widgets, field_name(row, "width").c_str(), width, not_negative, -1, dragged)) return false;
   set_peak_width(tf, peak, width);
   return true;
 }
 
-bool peak_row(TransferFunction& tf, EditorState& editor, WidgetState& widgets, const Peak& peak,
-              std::size_t row) {
+void draw_eye(ImDrawList& list, ImVec2 middle, bool open, ImU32 color) {
+  const float half = scaled(6);
+  constexpr int parts = 12;
+  const auto lid = [&](float side) {
+    for (int i = 0; i <= parts; ++i) {
+      const float t = float(i) / parts * 2 - 1;
+      list.PathLineTo({middle.x + t * half, middle.y + side * half * 0.6F * (1 - t * t)});
+    }
+    list.PathStroke(color, ImDrawFlags_None, 1.2F);
+  };
+  lid(1);
+  if (!open) return;
+  lid(-1);
+  list.AddCircleFilled(middle, scaled(2.2F), color);
+}
+
+/// A button as large as a line of text, without a frame.
+bool small_button(WidgetState& widgets, const std::string& name, const char* text, const char* meaning) {
+  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+  const bool pressed =
+      ImGui::Button(fmt::format("{}##{}", text, name).c_str(), {scaled(18), ImGui::GetFrameHeight()});
+  ImGui::PopStyleColor();
+  note_item(widgets, name);
+  tip(meaning);
+  return pressed;
+}
+
+bool eye_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetState& widgets) {
+  const bool pressed = small_button(
+      widgets, fmt::format("peak{}.eye", row), "",
+      peak.shown ? "Shown as a surface: a click hides it" : "Not shown as a surface: a click shows it");
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  draw_eye(*ImGui::GetWindowDrawList(), {(low.x + high.x) / 2, (low.y + high.y) / 2}, peak.shown,
+           peak.shown ? palette::text : palette::faint);
+  if (pressed) show_peak(tf, peak, !peak.shown);
+  return pressed;
+}
+
+/// Solo, duplicate and remove.
+bool action_cells(TransferFunction& tf, EditorState& editor, WidgetState& widgets,
+                  std::span<const Peak> peaks, std::size_t row) {
+  const Peak& peak = peaks[row];
   bool changed = false;
-  const bool selected = !editor.selection.empty() && editor.selection.front() >= peak.first_point &&
-                        editor.selection.front() <= peak.last_point;
-  ImGui::TableNextColumn();
-  ImGui::AlignTextToFramePadding();
-  if (ImGui::Selectable(fmt::format("{}", row + 1).c_str(), selected,
-                        ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
-                        {0, ImGui::GetFrameHeight()}))
-    editor.selection = top_of(peak);
-  note_item(widgets, fmt::format("peak{}", row));
-  ImGui::TableNextColumn();
-  if (color_square(widgets, field_name(row, "color").c_str(), tf.points[peak.first_point].color)) {
-    for (const std::size_t i : top_of(peak)) tf.points[i].color = tf.points[peak.first_point].color;
+  if (small_button(widgets, fmt::format("peak{}.solo", row), "S", "Solo: this one alone, and back")) {
+    show_only(tf, peaks, row);
     changed = true;
   }
-  ImGui::TableNextColumn();
-  changed |= value_cell(tf, editor, peak, row, widgets);
-  ImGui::TableNextColumn();
-  changed |= opacity_cell(tf, peak, row, widgets);
-  ImGui::TableNextColumn();
-  changed |= width_cell(tf, peak, row, widgets);
-  ImGui::TableNextColumn();
-  SurfaceMode mode = tf.points[peak.first_point].surface.mode;
-  if (choice(widgets, field_name(row, "surface").c_str(), mode, -1)) {
-    for (const std::size_t i : top_of(peak)) tf.points[i].surface.mode = mode;
+  ImGui::SameLine(0, 0);
+  if (small_button(widgets, fmt::format("peak{}.duplicate", row), "D",
+                   "Duplicate: the same where there is most room; type where it is to be")) {
+    const ValueRange range = tf.range();
+    const double value = round_to_resolution(widest_gap(tf, range), 0.01 * range.width());
+    editor.selection = duplicate_peak(tf, peak, value);
+    editor.type_value = true;
     changed = true;
   }
-  ImGui::TableNextColumn();
+  ImGui::SameLine(0, 0);
+  if (small_button(widgets, fmt::format("peak{}.remove", row), "-", "Remove")) {
+    erase_peak(tf, peak);
+    editor.selection.clear();
+    changed = true;
+  }
+  return changed;
+}
+
+void kind_cell(const Peak& peak) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", !peak.detected ? "point" : peak.spike ? "spike" : "wide");
   tip(!peak.detected ? "Made a surface by hand"
       : peak.spike   ? "Narrow: as a surface, it is taken out of the volume rendering"
                      : "Its body stays in the volume rendering");
+}
+
+bool color_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetState& widgets) {
+  if (!color_square(widgets, field_name(row, "color").c_str(), tf.points[peak.first_point].color))
+    return false;
+  for (const std::size_t i : top_of(peak)) tf.points[i].color = tf.points[peak.first_point].color;
+  return true;
+}
+
+/// The row as a whole: a click selects the peak, and the mouse over it lights its surface.
+void select_cell(EditorState& editor, WidgetState& widgets, const Peak& peak, std::size_t row) {
+  const bool selected = !editor.selection.empty() && editor.selection.front() >= peak.first_point &&
+                        editor.selection.front() <= peak.last_point;
+  ImGui::AlignTextToFramePadding();
+  if (ImGui::Selectable(fmt::format("{}", row + 1).c_str(), selected,
+                        ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
+                        {0, ImGui::GetFrameHeight()}))
+    editor.selection = top_of(peak);
+  const std::string name = fmt::format("peak{}", row);
+  note_item(widgets, name);
+  const auto& [low, high] = widgets.items[name];
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high, false)) editor.hovered_peak = row;
+}
+
+/// Whether the points of a peak are still there, which was found before the last edit.
+bool is_there(const TransferFunction& tf, const Peak& peak) {
+  return std::max(peak.right, peak.last_point) < tf.points.size();
+}
+
+bool peak_row(TransferFunction& tf, EditorState& editor, WidgetState& widgets, std::span<const Peak> peaks,
+              std::size_t row) {
+  const Peak& peak = peaks[row];
+  ImGui::TableNextColumn();
+  select_cell(editor, widgets, peak, row);
+  bool changed = false;
+  const auto cell = [&](const auto& draw) {
+    ImGui::TableNextColumn();
+    if (is_there(tf, peak)) changed |= draw();
+  };
+  cell([&] { return eye_cell(tf, peak, row, widgets); });
+  cell([&] { return color_cell(tf, peak, row, widgets); });
+  cell([&] { return value_cell(tf, editor, peak, row, widgets); });
+  cell([&] { return opacity_cell(tf, peak, row, widgets); });
+  cell([&] { return width_cell(tf, peak, row, widgets); });
+  cell([&] { return kind_cell(peak), false; });
+  cell([&] { return action_cells(tf, editor, widgets, peaks, row); });
   return changed;
 }
 
@@ -103,13 +189,14 @@ void columns() {
     ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, scaled(width));
   };
   ImGui::TableSetupScrollFreeze(0, 1);
-  fixed("#", 22);
+  fixed("#", 18);
+  fixed("##eye", 20);
   fixed("##color", 22);
   ImGui::TableSetupColumn("Value", ImGuiTableColumnFlags_WidthStretch, 1.2F);
   ImGui::TableSetupColumn("Opacity", ImGuiTableColumnFlags_WidthStretch, 0.9F);
   ImGui::TableSetupColumn("Width", ImGuiTableColumnFlags_WidthStretch, 1);
-  fixed("Surface", 66);
-  fixed("Kind", 42);
+  fixed("Kind", 40);
+  fixed("##actions", 56);
   ImGui::TableHeadersRow();
 }
 
@@ -124,18 +211,19 @@ bool peaks_panel(Document& document, StudioState& state, const StudioInputs& inp
   }
   constexpr ImGuiTableFlags flags =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
-  if (!ImGui::BeginTable("peaks", 7, flags, {0, height})) return false;
+  if (!ImGui::BeginTable("peaks", 8, flags, {0, height})) return false;
   columns();
   bool changed = false;
-  std::vector<const Peak*> rows;
-  for (const Peak& peak : inputs.peaks)  // found before the last edit, perhaps of points that are gone
-    if (std::max(peak.right, peak.last_point) < tf.points.size()) rows.push_back(&peak);
+  std::vector<Peak> rows;
+  std::ranges::copy_if(inputs.peaks, std::back_inserter(rows),
+                       [&](const Peak& peak) { return is_there(tf, peak); });
   ImGuiListClipper clipper;
   clipper.Begin(int(rows.size()));
   while (clipper.Step())
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
       ImGui::TableNextRow();
-      changed |= peak_row(tf, state.editor, state.widgets, *rows[std::size_t(row)], std::size_t(row));
+      if (is_there(tf, rows[std::size_t(row)]))
+        changed |= peak_row(tf, state.editor, state.widgets, rows, std::size_t(row));
     }
   ImGui::EndTable();
   return changed;

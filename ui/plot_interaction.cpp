@@ -118,16 +118,19 @@ bool drag_points(TransferFunction& tf, EditorState& editor, const Plot& plot, Im
   Moved result{drag.before.points, everything(drag.before)};
   if (shift.x != 0 && !dragged.empty()) result = drag_across(editor, plot, double(shift.x));
   editor.selection = result.of(dragged);
-  if (shift.y != 0)
+  TransferFunction after = drag.before, across = drag.before;
+  after.points = across.points = result.points;
+  if (shift.y != 0) {
     for (const std::size_t i : dragged) {
       const double opacity = plot.opacity_at(plot.y_of(drag.before.points[i].opacity) + shift.y);
       const double resolution =
           plot.opacity_axis.logarithmic ? 0.02 * opacity : 1.0 / double(plot.high.y - plot.low.y);
-      result.points[result.now_at[i]].opacity =
-          std::clamp(round_to_resolution(opacity, resolution), 0.0, 1.0);
+      after.points[result.now_at[i]].opacity = std::clamp(round_to_resolution(opacity, resolution), 0.0, 1.0);
     }
-  if (result.points == tf.points) return false;
-  tf.points = std::move(result.points);
+    keep_feet_on_curve(after, across);
+  }
+  if (after.points == tf.points) return false;
+  tf.points = std::move(after.points);
   return true;
 }
 
@@ -277,13 +280,16 @@ bool handle_plot_keys(TransferFunction& tf, EditorState& editor, const Plot& plo
     tf.points = result.points;
     editor.selection = result.of(editor.selection);
   }
-  if (upward != 0)
+  if (upward != 0) {
+    const TransferFunction across_only = tf;
     for (const std::size_t i : editor.selection) {
       const double unit = plot.opacity_axis.unit_of(tf.points[i].opacity);
       const double step = double(pixels) * upward / double(plot.high.y - plot.low.y);
       const double opacity = plot.opacity_axis.opacity_at(unit + step);
       tf.points[i].opacity = std::clamp(round_to_resolution(opacity, 1e-3 * opacity), 0.0, 1.0);
     }
+    keep_feet_on_curve(tf, across_only);
+  }
   return !(tf.points == before);
 }
 

@@ -12,6 +12,7 @@
 #include "ui/menu_bar.h"
 #include "ui/peak_table_panel.h"
 #include "ui/peaks_panel.h"
+#include "ui/points_panel.h"
 #include "ui/questions.h"
 #include "ui/ray_panel.h"
 #include "ui/recovery_banner.h"
@@ -67,6 +68,12 @@ bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, St
     changed |= peaks_panel(document, state, inputs, std::max(list, scaled(60)));
     ImGui::Spacing();
     peak_table_panel(document, state, inputs);
+    ImGui::EndTabItem();
+  }
+  const bool points = ImGui::BeginTabItem("Points");
+  note_item(state.widgets, "tab/Points");
+  if (points) {
+    changed |= points_panel(document.preset.transfer_function, state.editor, state.widgets);
     ImGui::EndTabItem();
   }
   const bool rendering = ImGui::BeginTabItem("Rendering");
@@ -154,6 +161,16 @@ bool studio_window(Document& document, StudioState& state, const StudioInputs& i
   return changed;
 }
 
+/// Of the peak under the mouse in the list, unless something is pressed or typed there.
+std::optional<std::pair<std::size_t, std::size_t>> lit_points(const StudioState& state,
+                                                              const StudioInputs& inputs) {
+  const auto hovered = state.editor.hovered_peak;
+  if (!hovered || *hovered >= inputs.peaks.size() || ImGui::IsAnyItemActive()) return std::nullopt;
+  const Peak& peak = inputs.peaks[*hovered];
+  if (!peak.shown) return std::nullopt;
+  return std::pair{peak.first_point, peak.last_point};
+}
+
 /// Whether the person is in the middle of an edit, which is one step when it ends.
 bool is_editing(const StudioState& state) {
   if (ImGui::IsAnyItemActive() || ImGui::IsAnyMouseDown()) return true;
@@ -187,6 +204,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
     requests.quit = inputs.close_requested && !inputs.unsaved_changes;
     return requests;
   }
+  state.editor.hovered_peak.reset();
   state.widgets.number_taken = false;
   state.widgets.take_typed = inputs.close_requested || takes_typed_text();
   if (state.widgets.refused) state.widgets.refused->is_shown = false;
@@ -194,6 +212,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   requests.document_changed |= menu_bar(document, state, inputs, requests);
   close_menu_by_key();
   requests.document_changed |= studio_window(document, state, inputs, requests);
+  requests.lit_points = lit_points(state, inputs);
   export_dialog(document, state, inputs, requests);
   import_dialog(state, inputs, requests);
   if (inputs.dropped_preset) requests.open_preset = inputs.dropped_preset;

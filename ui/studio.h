@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "presets/exchange/importers.h"
@@ -139,8 +140,10 @@ struct StudioRequests {
   std::optional<RayAsk> inspect;                     ///< as long as the ray is to be seen
   std::optional<RayAsk> hovered;                     ///< the pixel under the mouse
   std::optional<std::filesystem::path> save_ray;     ///< the inspected ray, as a table
-  std::string problem;                ///< with what the person asked for, which the panels found themselves
-  bool animates = false;              ///< something in the window changes by itself, at blink_s
+  std::string problem;    ///< with what the person asked for, which the panels found themselves
+  bool animates = false;  ///< something in the window changes by itself, at blink_s
+  /// Control points, first and last, whose surface is lit while the mouse rests on it in the list.
+  std::optional<std::pair<std::size_t, std::size_t>> lit_points;
   bool document_changed = false;      ///< by this frame: an edit, undo or redo
   std::optional<CarryBy> carry;       ///< the TF that was there with the last volume, to this one
   bool show_visibility = false;       ///< as long as it is to be seen

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "presets/names.h"
 
@@ -33,6 +34,22 @@ struct RefusedNumber {
   bool is_shown = false;  ///< in this frame
 };
 
+/// A field that is dragged, or typed in after a click.
+struct FieldDrag {
+  ImGuiID typed = 0;  ///< in which one types
+  bool begin_typing = false;
+  int frames = 0;   ///< until it must be active
+  double from = 0;  ///< the number when the drag began
+  bool moved = false;
+};
+
+/// What is typed before a field that was opened is ready for it, two frames later.
+struct TypedAhead {
+  ImGuiID field = 0;
+  std::vector<ImWchar> characters;
+  int frames = 0;  ///< that it still has
+};
+
 /// What the small widgets share.
 struct WidgetState {
   ItemRects items;
@@ -40,6 +57,8 @@ struct WidgetState {
   bool take_typed = false;    ///< in this frame what is typed is taken although nobody left its field
   bool number_taken = false;  ///< in this frame
   std::optional<RefusedNumber> refused;
+  FieldDrag drag;
+  TypedAhead ahead;
 };
 
 /// Remembers the last item's place under `name`.

@@ -362,6 +362,19 @@ TEST_F(Editor, APeakIsAddedAsASpikeAndItsValueTyped) {
   }
 }
 
+TEST_F(Editor, WhatIsTypedBeforeTheFieldIsOpenIsNotLost) {
+  key('P');
+  for (const char c : {'3', '3'}) {
+    ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(c));
+    frame();
+  }
+  frames(3);
+  key_of(ImGuiKey_Enter);
+  frames(2);
+  ASSERT_EQ(inputs.peaks.size(), 2U);
+  EXPECT_EQ(inputs.peaks[0].value, 33);
+}
+
 TEST_F(Editor, UndoTakesBackAPeakWhoseValueIsNotTypedYet) {
   const Document before = document;
   click("add peak");

@@ -122,6 +122,31 @@ TEST(Moved, FeetKeepToTheCurveBeneath) {
   }
 }
 
+TEST(KeepFeetOnCurve, GoWithTheCurveUnlessTheyAreEdited) {
+  TransferFunction tf = tf_of({{0, 0}, {10, 1}});
+  const std::size_t apex = insert_peak(tf, 5, 0.9, 0.1, {1, 1, 1});
+  TransferFunction before = tf;
+  tf.points.back().opacity = 0.2;
+  keep_feet_on_curve(tf, before);
+  EXPECT_NEAR(tf.points[apex - 1].opacity, 0.2 * 0.495, 1e-12);
+  EXPECT_NEAR(tf.points[apex + 1].opacity, 0.2 * 0.505, 1e-12);
+  EXPECT_EQ(tf.points[apex].opacity, 0.9);
+  before = tf;
+  tf.points[apex - 1].opacity = 0.5;
+  keep_feet_on_curve(tf, before);
+  EXPECT_EQ(tf.points[apex - 1].opacity, 0.5);
+}
+
+TEST(Moved, AStepThatRisesFromTheCurveStillDoes) {
+  TransferFunction tf = tf_of({{0, 0}, {100, 0.5}});
+  const std::size_t upper = insert_step(tf, 80, 0.9);
+  tf.points = moved(tf, whole_of(tf, {upper}), upper, 50, Neighbours::free).points;
+  EXPECT_EQ(tf.points, points_of({{0, 0}, {50, 0.25}, {50, 0.9}, {100, 0.5}}));
+  const TransferFunction plain = tf_of({{0, 0}, {50, 0}, {50, 0.5}, {100, 0.5}});
+  EXPECT_EQ(moved(plain, {1, 2}, 1, 30, Neighbours::free).points,
+            points_of({{0, 0}, {30, 0}, {30, 0.5}, {100, 0.5}}));
+}
+
 TEST(Moved, ValuesOfFewDigitsStaySo) {
   const TransferFunction tf = tf_of({{0, 0}, {0.1, 0}, {0.2, 1}, {0.3, 0}, {1, 0}});
   const Moved result = moved(tf, {1, 2, 3}, 2, 0.9, Neighbours::free);
