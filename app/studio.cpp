@@ -210,6 +210,16 @@ void Studio::update_export_picture(const StudioRequests& requests) {
   }
 }
 
+void Studio::update_slices(const StudioRequests& requests) {
+  if (!requests.slices || !loaded_.volume) return;
+  try {
+    slices_.update(views_.renderer().resources(), make_scene(loaded_.volume, document_.preset),
+                   *requests.slices);
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
 void Studio::save_preset_to(const std::filesystem::path& path) {
   try {
     save_preset(path, document_.preset);
@@ -275,6 +285,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.resolved = scene.tf;
   inputs.peaks = classification.peaks;
   inputs.surfaces = classification.surfaces;
+  inputs.slices = slices_.textures();
   if (const VolumeValues* values = matters_.values()) {
     inputs.by_value = &values->by_value;
     inputs.suggested = values->suggested;
@@ -384,6 +395,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   views_.work(view_requests(requests), render_ms, interactive);
   tell_view_error();
   update_export_picture(requests);
+  update_slices(requests);
   update_sweep(requests, interactive);
   update_choice(requests);
   update_matters(requests, interactive);

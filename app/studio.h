@@ -12,6 +12,7 @@
 #include "app/export_picture.h"
 #include "app/last_volume.h"
 #include "app/recent_files.h"
+#include "app/slice_pictures.h"
 #include "app/view_renderer.h"
 #include "app/volume_loader.h"
 #include "app/what_matters.h"
@@ -77,6 +78,7 @@ class Studio {
   void take_choice();
   void update_choice(const StudioRequests& requests);
   void carry_over(CarryBy by);
+  void update_slices(const StudioRequests& requests);
   void update_matters(const StudioRequests& requests, bool interactive);
   glm::ivec2 own_view(const StudioRequests& requests) const;
   std::array<ViewRequest, view_count> view_requests(const StudioRequests& requests) const;
@@ -94,6 +96,7 @@ class Studio {
   BackgroundChoice choice_;
   WhatMatters matters_;
   std::optional<LastVolume> last_volume_;
+  SlicePictures slices_;
   std::vector<Imported> imported_;  ///< from imported_from_, while the person chooses
   std::string imported_from_;
   TfParts import_take_ = TfParts::both;  ///< as the file was opened

@@ -11,6 +11,7 @@
 #include "ui/peaks_panel.h"
 #include "ui/questions.h"
 #include "ui/rendering_panel.h"
+#include "ui/slices_panel.h"
 #include "ui/status_bar.h"
 #include "ui/style.h"
 #include "ui/transfer_function_editor.h"
@@ -73,6 +74,12 @@ bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, St
   note_item(state.widgets, "tab/Accuracy");
   if (accuracy) {
     changed |= accuracy_panel(document, state, inputs, requests);
+    ImGui::EndTabItem();
+  }
+  const bool slices = ImGui::BeginTabItem("Slices");
+  note_item(state.widgets, "tab/Slices");
+  if (slices) {
+    changed |= slices_panel(document, state, inputs, requests);
     ImGui::EndTabItem();
   }
   ImGui::EndTabBar();

@@ -14,6 +14,7 @@
 #include "presets/peaks.h"
 #include "render/reference/visibility.h"
 #include "render/scene/picture_need.h"
+#include "render/slices/slice.h"
 #include "render/volume/by_value.h"
 #include "render/volume/match_values.h"
 #include "render/volume/suggested_peaks.h"
@@ -62,6 +63,15 @@ struct CarryOver {
   bool knows_values = false;  ///< of both volumes, as carrying by histogram needs them
 };
 
+/// One across each axis.
+inline constexpr int slice_count = 3;
+
+/// The slices that are to be seen.
+struct SlicesWanted {
+  glm::dvec3 cursor{0.5};  ///< in which they meet: in the box, each axis from 0 to 1
+  std::array<glm::ivec2, slice_count> pixels{};
+};
+
 /// What the program tells the panels: results, read only.
 struct StudioInputs {
   const Volume* volume = nullptr;  ///< null while none is open
@@ -69,16 +79,17 @@ struct StudioInputs {
   std::span<const Peak> peaks;     ///< of `resolved`
   std::span<const Peak> surfaces;  ///< those that are shown as surfaces
   std::array<ViewPicture, view_count> views;
-  const ByValue* by_value = nullptr;             ///< of the volume; null while it is not measured
-  std::span<const SuggestedPeak> suggested;      ///< by it, the most persistent first
-  const Visibility* visibility = nullptr;        ///< null while it was never measured
-  bool visibility_is_old = false;                ///< of a scene or a view that is no longer there
-  std::string why_no_values, why_no_visibility;  ///< where there can be none
-  std::optional<CarryOver> carry_over;           ///< while there was another volume
-  const AccuracyResults* accuracy = nullptr;     ///< null while nothing was ever measured
-  const ChoiceResults* choice = nullptr;         ///< null while nothing was ever chosen
-  std::string loading;                           ///< the volume that is being read; empty while none is
-  std::string message;                           ///< the last news or error, one line
+  const ByValue* by_value = nullptr;                 ///< of the volume; null while it is not measured
+  std::span<const SuggestedPeak> suggested;          ///< by it, the most persistent first
+  const Visibility* visibility = nullptr;            ///< null while it was never measured
+  bool visibility_is_old = false;                    ///< of a scene or a view that is no longer there
+  std::string why_no_values, why_no_visibility;      ///< where there can be none
+  std::optional<CarryOver> carry_over;               ///< while there was another volume
+  std::array<std::uintptr_t, slice_count> slices{};  ///< as ViewPicture::texture, across x, y, z
+  const AccuracyResults* accuracy = nullptr;         ///< null while nothing was ever measured
+  const ChoiceResults* choice = nullptr;             ///< null while nothing was ever chosen
+  std::string loading;                               ///< the volume that is being read; empty while none is
+  std::string message;                               ///< the last news or error, one line
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
   std::string performance;          ///< e.g. frame times, for the status bar
@@ -119,11 +130,12 @@ struct StudioRequests {
   std::array<glm::ivec2, view_count>
       view_pixels{};  ///< size to draw each view at; (0, 0) = it is not visible
   ShownPicture shown_picture = ShownPicture::exact;
-  bool document_changed = false;      ///< by this frame: an edit, undo or redo
-  std::optional<CarryBy> carry;       ///< the TF that was there with the last volume, to this one
-  bool show_visibility = false;       ///< as long as it is to be seen
-  std::optional<bool> measure;        ///< switches the measurement in the background on or off
-  std::optional<TargetError> choose;  ///< a setting that keeps this error
+  bool document_changed = false;       ///< by this frame: an edit, undo or redo
+  std::optional<SlicesWanted> slices;  ///< as long as they are to be seen
+  std::optional<CarryBy> carry;        ///< the TF that was there with the last volume, to this one
+  bool show_visibility = false;        ///< as long as it is to be seen
+  std::optional<bool> measure;         ///< switches the measurement in the background on or off
+  std::optional<TargetError> choose;   ///< a setting that keeps this error
   bool stop_choosing = false;
   bool quit = false;  ///< the person was asked about unsaved changes
   bool reload_shaders = false;

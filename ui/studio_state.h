@@ -76,6 +76,7 @@ struct StudioState {
   FileDialog file_dialog;
   ExportDialog export_dialog;
   ImportDialog import_dialog;
+  glm::dvec3 slice_cursor{0.5};  ///< SlicesWanted::cursor
   bool show_help = false;
   bool quit_asked = false;  ///< the person wants to leave; the question is open, or about to be
   bool quit_after_save = false;
