@@ -120,6 +120,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.resolved = scene.tf;
   inputs.peaks = classification.peaks;
   inputs.surfaces = classification.surfaces;
+  inputs.slices = slices_.textures();
   if (const VolumeValues* values = matters_.values()) {
     inputs.by_value = &values->by_value;
     inputs.suggested = values->suggested;
@@ -210,6 +211,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   tell_view_error();
   update_export_picture(requests);
   update_rays(requests, interactive);
+  update_slices(requests);
   update_sweep(requests, interactive);
   update_choice(requests);
   update_matters(requests, interactive);

@@ -14,6 +14,7 @@
 #include "app/last_volume.h"
 #include "app/ray_inspector.h"
 #include "app/recent_files.h"
+#include "app/slice_pictures.h"
 #include "app/thumbnail_maker.h"
 #include "app/thumbnail_store.h"
 #include "app/view_difference.h"
@@ -108,6 +109,7 @@ class Studio {
   void save_ray_to(const std::filesystem::path& path);
   void update_difference(const StudioRequests& requests);
   void carry_over(CarryBy by);
+  void update_slices(const StudioRequests& requests);
   void update_matters(const StudioRequests& requests, bool interactive);
   glm::ivec2 own_view(const StudioRequests& requests) const;
 
@@ -132,6 +134,7 @@ class Studio {
   BackgroundChoice choice_;
   WhatMatters matters_;
   std::optional<LastVolume> last_volume_;
+  SlicePictures slices_;
   std::vector<Imported> imported_;  ///< from imported_from_, while the person chooses
   std::string imported_from_;
   TfParts import_take_ = TfParts::both;  ///< as the file was opened

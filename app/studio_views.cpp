@@ -60,6 +60,16 @@ void Studio::update_difference(const StudioRequests& requests) {
     difference_.clear();
 }
 
+void Studio::update_slices(const StudioRequests& requests) {
+  if (!requests.slices || !loaded_.volume) return;
+  try {
+    slices_.update(views_.renderer().resources(), make_scene(loaded_.volume, document_.preset),
+                   *requests.slices);
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
 /// The inspected ray is brought up to date when nothing moves; what is under the mouse is solved at once.
 void Studio::update_rays(const StudioRequests& requests, bool interactive) {
   if (!requests.inspect || !loaded_.volume) rays_.clear();

@@ -1,5 +1,6 @@
 #include "ui/studio.h"
 
+#include <fmt/core.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include "ui/ray_panel.h"
 #include "ui/recovery_banner.h"
 #include "ui/rendering_panel.h"
+#include "ui/slices_panel.h"
 #include "ui/start_page.h"
 #include "ui/status_bar.h"
 #include "ui/style.h"
@@ -56,51 +58,40 @@ void splitter(const char* name, bool upright, float sign, float& share, float le
     list.AddRectFilled({at.x, at.y + middle}, {at.x + size.x, at.y + middle + 1}, color);
 }
 
+bool peaks_and_table(Document& document, StudioState& state, const StudioInputs& inputs) {
+  const float height = ImGui::GetContentRegionAvail().y;
+  const float rows = float(inputs.peaks.size()) + 1;
+  const float list = std::min(rows * (ImGui::GetFrameHeight() + scaled(10)), height * 0.42F);
+  const bool changed = peaks_panel(document, state, inputs, std::max(list, scaled(60)));
+  ImGui::Spacing();
+  peak_table_panel(document, state, inputs);
+  return changed;
+}
+
+/// One of the tabs; `panel` draws what is in it, and returns whether it changed the document.
+template <class Panel>
+bool tab(WidgetState& widgets, const char* name, Panel&& panel, bool comes_up = false) {
+  const bool open = ImGui::BeginTabItem(name, nullptr, comes_up ? ImGuiTabItemFlags_SetSelected : 0);
+  note_item(widgets, fmt::format("tab/{}", name));
+  if (!open) return false;
+  const bool changed = panel();
+  ImGui::EndTabItem();
+  return changed;
+}
+
 bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
-  bool changed = false;
   if (!ImGui::BeginTabBar("panels")) return false;
-  const bool peaks = ImGui::BeginTabItem("Peaks");
-  note_item(state.widgets, "tab/Peaks");
-  if (peaks) {
-    const float height = ImGui::GetContentRegionAvail().y;
-    const float rows = float(inputs.peaks.size()) + 1;
-    const float list = std::min(rows * (ImGui::GetFrameHeight() + scaled(10)), height * 0.42F);
-    changed |= peaks_panel(document, state, inputs, std::max(list, scaled(60)));
-    ImGui::Spacing();
-    peak_table_panel(document, state, inputs);
-    ImGui::EndTabItem();
-  }
-  const bool points = ImGui::BeginTabItem("Points");
-  note_item(state.widgets, "tab/Points");
-  if (points) {
-    changed |= points_panel(document.preset.transfer_function, state.editor, state.widgets);
-    ImGui::EndTabItem();
-  }
-  const bool rendering = ImGui::BeginTabItem("Rendering");
-  note_item(state.widgets, "tab/Rendering");
-  if (rendering) {
-    changed |= rendering_panel(document, state, inputs, requests);
-    ImGui::EndTabItem();
-  }
-  const bool accuracy = ImGui::BeginTabItem("Accuracy");
-  note_item(state.widgets, "tab/Accuracy");
-  if (accuracy) {
-    changed |= accuracy_panel(document, state, inputs, requests);
-    ImGui::EndTabItem();
-  }
-  const bool ray = ImGui::BeginTabItem(
-      "Ray", nullptr, std::exchange(state.ray.asks_for_tab, false) ? ImGuiTabItemFlags_SetSelected : 0);
-  note_item(state.widgets, "tab/Ray");
-  if (ray) {
-    ray_panel(document, state, inputs);
-    ImGui::EndTabItem();
-  }
-  const bool history = ImGui::BeginTabItem("History");
-  note_item(state.widgets, "tab/History");
-  if (history) {
-    changed |= history_panel(document, state, inputs);
-    ImGui::EndTabItem();
-  }
+  WidgetState& widgets = state.widgets;
+  bool changed = tab(widgets, "Peaks", [&] { return peaks_and_table(document, state, inputs); });
+  changed |= tab(widgets, "Points",
+                 [&] { return points_panel(document.preset.transfer_function, state.editor, widgets); });
+  changed |= tab(widgets, "Rendering", [&] { return rendering_panel(document, state, inputs, requests); });
+  changed |= tab(widgets, "Accuracy", [&] { return accuracy_panel(document, state, inputs, requests); });
+  changed |= tab(widgets, "Slices", [&] { return slices_panel(document, state, inputs, requests); });
+  changed |= tab(
+      widgets, "Ray", [&] { return ray_panel(document, state, inputs), false; },
+      std::exchange(state.ray.asks_for_tab, false));
+  changed |= tab(widgets, "History", [&] { return history_panel(document, state, inputs); });
   ImGui::EndTabBar();
   return changed;
 }

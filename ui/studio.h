@@ -15,6 +15,7 @@
 #include "presets/peaks.h"
 #include "render/reference/visibility.h"
 #include "render/scene/picture_need.h"
+#include "render/slices/slice.h"
 #include "render/volume/by_value.h"
 #include "render/volume/match_values.h"
 #include "render/volume/suggested_peaks.h"
@@ -72,6 +73,15 @@ struct RecoveryOffer {
 };
 enum class RecoveryAnswer { restore, discard, later };
 
+/// One across each axis.
+inline constexpr int slice_count = 3;
+
+/// The slices that are to be seen.
+struct SlicesWanted {
+  glm::dvec3 cursor{0.5};  ///< in which they meet: in the box, each axis from 0 to 1
+  std::array<glm::ivec2, slice_count> pixels{};
+};
+
 /// What the program tells the panels: results, read only.
 struct StudioInputs {
   const Volume* volume = nullptr;  ///< null while none is open
@@ -83,15 +93,16 @@ struct StudioInputs {
   std::optional<PickedPixel> picked;   ///< under the mouse, when it rests
   DifferencePicture difference;        ///< of the two pictures that are compared, where that was asked for
   const ByValue* by_value = nullptr;   ///< of the volume; null while it is not measured
-  std::span<const SuggestedPeak> suggested;      ///< by it, the most persistent first
-  const Visibility* visibility = nullptr;        ///< null while it was never measured
-  bool visibility_is_old = false;                ///< of a scene or a view that is no longer there
-  std::string why_no_values, why_no_visibility;  ///< where there can be none
-  std::optional<CarryOver> carry_over;           ///< while there was another volume
-  const AccuracyResults* accuracy = nullptr;     ///< null while nothing was ever measured
-  const ChoiceResults* choice = nullptr;         ///< null while nothing was ever chosen
-  std::string loading;                           ///< the volume that is being read; empty while none is
-  std::string message;                           ///< the last news or error, one line
+  std::span<const SuggestedPeak> suggested;          ///< by it, the most persistent first
+  const Visibility* visibility = nullptr;            ///< null while it was never measured
+  bool visibility_is_old = false;                    ///< of a scene or a view that is no longer there
+  std::string why_no_values, why_no_visibility;      ///< where there can be none
+  std::optional<CarryOver> carry_over;               ///< while there was another volume
+  std::array<std::uintptr_t, slice_count> slices{};  ///< as ViewPicture::texture, across x, y, z
+  const AccuracyResults* accuracy = nullptr;         ///< null while nothing was ever measured
+  const ChoiceResults* choice = nullptr;             ///< null while nothing was ever chosen
+  std::string loading;                               ///< the volume that is being read; empty while none is
+  std::string message;                               ///< the last news or error, one line
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
   /// An ImTextureID each, of 4:3, or 0: of `recent`, and of examples(). Both may be shorter, or empty.
@@ -144,11 +155,12 @@ struct StudioRequests {
   bool animates = false;  ///< something in the window changes by itself, at blink_s
   /// Control points, first and last, whose surface is lit while the mouse rests on it in the list.
   std::optional<std::pair<std::size_t, std::size_t>> lit_points;
-  bool document_changed = false;      ///< by this frame: an edit, undo or redo
-  std::optional<CarryBy> carry;       ///< the TF that was there with the last volume, to this one
-  bool show_visibility = false;       ///< as long as it is to be seen
-  std::optional<bool> measure;        ///< switches the measurement in the background on or off
-  std::optional<TargetError> choose;  ///< a setting that keeps this error
+  bool document_changed = false;       ///< by this frame: an edit, undo or redo
+  std::optional<SlicesWanted> slices;  ///< as long as they are to be seen
+  std::optional<CarryBy> carry;        ///< the TF that was there with the last volume, to this one
+  bool show_visibility = false;        ///< as long as it is to be seen
+  std::optional<bool> measure;         ///< switches the measurement in the background on or off
+  std::optional<TargetError> choose;   ///< a setting that keeps this error
   bool stop_choosing = false;
   std::optional<RecoveryAnswer> recovery;  ///< of the one that is offered; `later` of all
   bool quit = false;                       ///< the person was asked about unsaved changes

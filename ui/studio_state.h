@@ -110,6 +110,7 @@ struct StudioState {
   FileDialog file_dialog;
   ExportDialog export_dialog;
   ImportDialog import_dialog;
+  glm::dvec3 slice_cursor{0.5};  ///< SlicesWanted::cursor
   bool show_help = false;
   bool quit_asked = false;   ///< the person wants to leave
   Leaving leaving;           ///< what the question about unsaved changes is about

@@ -41,15 +41,6 @@ void bind_texture(const Binding& b, Unit unit, const char* sampler, GLuint textu
   set(b.program, sampler, int(unit));
 }
 
-void set_bc_weights(GLuint program, const Rendering& rendering) {
-  const auto weights = filter_weights({Filter::bc, rendering.bc_b, rendering.bc_c});
-  glm::mat4 by_power;  // column k: what multiplies u^k
-  for (int k = 0; k < 4; ++k)
-    for (int i = 0; i < 4; ++i) by_power[k][i] = float(weights[std::size_t(i)][std::size_t(k)]);
-  glProgramUniformMatrix4fv(program, glGetUniformLocation(program, "bc_weights"), 1, GL_FALSE,
-                            &by_power[0][0]);
-}
-
 void bind_macrocells(const Binding& b) {
   Features features = b.need.needed;  // what is forced in does not show
   features.skipping = b.need.features.skipping;
@@ -128,6 +119,15 @@ void bind_tf_pieces(const Binding& b) {
 }
 
 }  // namespace
+
+void set_bc_weights(GLuint program, const Rendering& rendering) {
+  const auto weights = filter_weights({Filter::bc, rendering.bc_b, rendering.bc_c});
+  glm::mat4 by_power;  // column k: what multiplies u^k
+  for (int k = 0; k < 4; ++k)
+    for (int i = 0; i < 4; ++i) by_power[k][i] = float(weights[std::size_t(i)][std::size_t(k)]);
+  glProgramUniformMatrix4fv(program, glGetUniformLocation(program, "bc_weights"), 1, GL_FALSE,
+                            &by_power[0][0]);
+}
 
 void bind_scene(KeyedCache& held, const Scene& scene, const Classification& classification, const Need& need,
                 GLuint program) {

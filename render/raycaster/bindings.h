@@ -14,4 +14,7 @@ namespace crest {
 void bind_scene(KeyedCache& held, const Scene& scene, const Classification& classification, const Need& need,
                 GLuint program);
 
+/// bc_weights, of the filter `bc` (shaders/filter_bc.glsl).
+void set_bc_weights(GLuint program, const Rendering& rendering);
+
 }  // namespace crest

@@ -64,8 +64,8 @@ TEST(Dependence, NoGraphicsWhereItDoesNotBelong) {
 
 /// The folders of render: each may use those before it. What lies in render itself joins both engines.
 const std::vector<std::string> render_folders{
-    "volume",        "classify",  "files",     "readers", "scene", "reference", "gl",
-    "shader_inputs", "resources", "raycaster", "vdls",    "",      "measure",   "studies"};
+    "volume",    "classify",  "files", "readers", "scene", "reference", "gl",     "shader_inputs",
+    "resources", "raycaster", "vdls",  "slices",  "",      "measure",   "studies"};
 
 /// Which of them a path lies in: render/studies/knoll/lab.h in "studies", render/renderer.h in "".
 std::string folder_of(const std::string& path) {
