@@ -8,7 +8,7 @@
 
 #include "render/volume/probe.h"
 #include "ui/edit_points.h"
-#include "ui/plot_interaction.h"
+#include "ui/point_tools.h"
 #include "ui/style.h"
 #include "ui/transfer_function_editor.h"
 #include "ui/widgets.h"
@@ -99,8 +99,8 @@ bool probe(Document& document, StudioState& state, const StudioInputs& inputs) {
     TransferFunction& tf = document.preset.transfer_function;
     const ValueRange range = with_width(volume.statistics.range), axis = axis_range(tf, inputs.volume);
     const double on_axis = tf.domain == Domain::data ? *value : (*value - range.min) / range.width();
-    changed = add_peak(tf, state.editor, round_to_resolution(on_axis, 1e-4 * axis.width()), 0.8,
-                       new_peak_width(state.editor, axis));
+    changed = add_shape(tf, state.editor, Shape::spike, round_to_resolution(on_axis, 1e-4 * axis.width()),
+                        0.8, axis);
   }
   if (value) {
     note_item(state.widgets, "add spike here");
