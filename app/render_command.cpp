@@ -23,6 +23,8 @@ struct RenderOptions {
   PictureOptions picture;
   std::string error_bound;  ///< where to write it; empty: nowhere
   AutoOptions automatic;
+  int turntable = 1;   ///< pictures of one turn
+  std::string preset;  ///< as the pictures keep it
 };
 
 /// How far each pixel may be off: as it is for an .exr, else in the colours of all error pictures.

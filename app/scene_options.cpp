@@ -6,6 +6,7 @@
 #include <array>
 #include <regex>
 
+#include "app/preset_source.h"
 #include "presets/error.h"
 #include "presets/names.h"
 #include "presets/number_text.h"
@@ -40,7 +41,7 @@ Preset with_field(const Preset& preset, const char* option, const std::string& a
 }  // namespace
 
 void SceneOptions::add_to(Options options) {
-  options.add("--preset", preset, "A preset's file, or its name in the library (crest list presets)")
+  options.add("--preset", preset, "A preset's file, its name in the library (crest list presets), or a picture that was made with it")
       .type_name("FILE");
   options.add("--mode", mode, "What a ray collects: " + name_list<Mode>()).type_name("MODE");
   options.add("--engine", engine, "What renders: " + name_list<Engine>()).type_name("ENGINE");
@@ -70,7 +71,7 @@ Preset SceneOptions::read_preset() const {
   if (preset.empty())
     result.transfer_function = default_transfer_function();
   else
-    result = load_preset(preset);
+    result = load_preset_from(preset);
   for (const auto& set : sets) result = with_field(result, "--set", set);
   const auto set_if = [&](const char* option, const std::string& text, const std::string& assignment) {
     if (!text.empty()) result = with_field(result, option, assignment);

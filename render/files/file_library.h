@@ -22,9 +22,13 @@ struct FileLibrary {
   bool (*has_images)(const std::filesystem::path& folder);
 
   /// An image file's bytes, in the format that `path` ends with: 8-bit RGB, or 32-bit float RGBA; row 0 at
-  /// the top. Throws Error.
-  std::string (*encode_rgb8)(const std::filesystem::path& path, glm::ivec2 size, const void* pixels);
-  std::string (*encode_rgba32f)(const std::filesystem::path& path, glm::ivec2 size, const void* pixels);
+  /// the top. `preset` is kept as text, unless it is empty. Throws Error.
+  std::string (*encode_rgb8)(const std::filesystem::path& path, glm::ivec2 size, const void* pixels,
+                             const std::string& preset);
+  std::string (*encode_rgba32f)(const std::filesystem::path& path, glm::ivec2 size, const void* pixels,
+                                const std::string& preset);
+  /// As preset_in_picture().
+  std::string (*preset_in_picture)(const std::filesystem::path& path);
   /// As read_image().
   Image (*read_image)(const std::filesystem::path& path);
 };

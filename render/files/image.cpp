@@ -21,13 +21,14 @@ std::vector<std::uint8_t> rgb_bytes(const Image& image) {
   return bytes;
 }
 
-std::string encode_png(const std::filesystem::path& path, const Image& image, glm::vec3 background) {
+std::string encode_png(const std::filesystem::path& path, const Image& image, glm::vec3 background,
+                       const std::string& preset) {
   const auto bytes = rgb_bytes(over_background(image, background));
-  return file_library().encode_rgb8(path, image.size, bytes.data());
+  return file_library().encode_rgb8(path, image.size, bytes.data(), preset);
 }
 
-std::string encode_exr(const std::filesystem::path& path, const Image& image) {
-  return file_library().encode_rgba32f(path, image.size, image.pixels.data());
+std::string encode_exr(const std::filesystem::path& path, const Image& image, const std::string& preset) {
+  return file_library().encode_rgba32f(path, image.size, image.pixels.data(), preset);
 }
 
 }  // namespace
@@ -37,16 +38,21 @@ Image over_background(Image image, glm::vec3 background) {
   return image;
 }
 
-void write_image(const std::filesystem::path& path, const Image& image, glm::vec3 background) {
+void write_image(const std::filesystem::path& path, const Image& image, glm::vec3 background,
+                 const std::string& preset) {
   const auto extension = path.extension();
   if (extension != ".png" && extension != ".exr")
     throw Error(fmt::format("{}: a picture's name ends with .png or .exr", path.string()));
   write_file_atomically(path,
-                        extension == ".png" ? encode_png(path, image, background) : encode_exr(path, image));
+                        extension == ".png" ? encode_png(path, image, background, preset) : encode_exr(path, image, preset));
 }
 
 std::string png_of(const Image& image, glm::vec3 background) {
-  return encode_png("picture.png", image, background);
+  return encode_png("picture.png", image, background, "");
+}
+
+std::string preset_in_picture(const std::filesystem::path& path) {
+  return file_library().preset_in_picture(path);
 }
 
 Image read_image(const std::filesystem::path& path) { return file_library().read_image(path); }

@@ -24,8 +24,13 @@ Image over_background(Image image, glm::vec3 background);
 
 /// Writes a .png (8-bit RGB over the background) or an .exr (premultiplied RGBA in 32-bit float, no
 /// background). Throws Error for another ending, or when it cannot be written; the file appears whole or not
-/// at all.
-void write_image(const std::filesystem::path& path, const Image& image, glm::vec3 background);
+/// at all. `preset` is a preset's text, which is kept in the file, unless it is empty.
+void write_image(const std::filesystem::path& path, const Image& image, glm::vec3 background,
+                 const std::string& preset = {});
+
+/// The text of the preset that such a file holds; empty where it holds none. Throws Error for what is no
+/// picture.
+std::string preset_in_picture(const std::filesystem::path& path);
 
 /// What such a .png holds.
 std::string png_of(const Image& image, glm::vec3 background);

@@ -21,14 +21,29 @@ std::string encode(const std::filesystem::path& path, const OIIO::ImageSpec& spe
   return {file.begin(), file.end()};
 }
 
-}  // namespace
+constexpr const char* preset_key = "crest:preset";
 
-std::string encode_rgb8(const std::filesystem::path& path, glm::ivec2 size, const void* pixels) {
-  return encode(path, {size.x, size.y, 3, OIIO::TypeDesc::UINT8}, pixels);
+OIIO::ImageSpec with_preset(OIIO::ImageSpec spec, const std::string& preset) {
+  if (!preset.empty()) spec.attribute(preset_key, preset);
+  return spec;
 }
 
-std::string encode_rgba32f(const std::filesystem::path& path, glm::ivec2 size, const void* pixels) {
-  return encode(path, {size.x, size.y, 4, OIIO::TypeDesc::FLOAT}, pixels);
+}  // namespace
+
+std::string encode_rgb8(const std::filesystem::path& path, glm::ivec2 size, const void* pixels,
+                        const std::string& preset) {
+  return encode(path, with_preset({size.x, size.y, 3, OIIO::TypeDesc::UINT8}, preset), pixels);
+}
+
+std::string encode_rgba32f(const std::filesystem::path& path, glm::ivec2 size, const void* pixels,
+                           const std::string& preset) {
+  return encode(path, with_preset({size.x, size.y, 4, OIIO::TypeDesc::FLOAT}, preset), pixels);
+}
+
+std::string preset_in_picture_file(const std::filesystem::path& path) {
+  const auto input = OIIO::ImageInput::open(path.string());
+  if (!input) throw Error(fmt::format("{}: not an image: {}", path.string(), OIIO::geterror()));
+  return std::string(input->spec().get_string_attribute(preset_key));
 }
 
 Image read_image_file(const std::filesystem::path& path) {
