@@ -24,6 +24,7 @@ Studio::Studio(Document document, FitPreset fit, std::filesystem::path shader_fo
       fit_(std::move(fit)),
       views_(std::move(shader_folder), program_folder()),
       thumbnails_(thumbnail_folder()),
+      own_presets_(own_preset_folder()),
       autosave_(recovery_folder()) {
   mark_saved();
   find_recoveries();
@@ -83,6 +84,8 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.recovery) take_recovery(*requests.recovery);
   if (requests.measure) *requests.measure ? sweep_.switch_on() : sweep_.switch_off();
   if (requests.close_volume) close_volume();
+  if (requests.reads_library) own_presets_.read_again(), read_library();
+  if (requests.library) change_library(*requests.library);
   if (!quit_) return;
   keep_thumbnails();
   autosave_.end();  // saved, or discarded by choice
@@ -101,6 +104,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.message_is_error = message_is_error_;
   inputs.recent = recent_.list();
   inputs.performance = performance_;
+  inputs.library = library_;
   inputs.recovery = recovery_offer();
   inputs.accuracy = &sweep_.results();
   inputs.choice = &choice_.results();

@@ -11,6 +11,7 @@
 #include "app/background_choice.h"
 #include "app/background_sweep.h"
 #include "app/export_picture.h"
+#include "app/preset_folder.h"
 #include "app/recent_files.h"
 #include "app/thumbnail_maker.h"
 #include "app/thumbnail_store.h"
@@ -81,6 +82,9 @@ class Studio {
   void close_volume();
   void add_start_pictures(StudioInputs& inputs);
   void keep_thumbnails();
+  void read_library();
+  void change_library(const LibraryRequest& request);
+  std::vector<ThumbnailJob> library_jobs();
   void take_thumbnails();
   void want_thumbnails(const StudioRequests& requests);
   void say(std::string text, bool is_error = false);
@@ -118,6 +122,9 @@ class Studio {
   RecentFiles recent_;
   ThumbnailStore thumbnails_;
   ThumbnailMaker thumbnail_maker_;
+  PresetFolder own_presets_;
+  std::vector<LibraryEntry> library_;
+  std::vector<std::string> library_texts_;  ///< of the presets in it, which their pictures are found by
   struct Recovery {
     RecoveryFile file;
     KeptDocument kept;

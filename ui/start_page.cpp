@@ -42,6 +42,10 @@ void opening(const Document& document, StudioState& state) {
   button("Open volume...", "Ctrl+O", FilePurpose::open_volume);
   ImGui::SameLine();
   button("Open preset...", "Ctrl+Shift+O", FilePurpose::open_preset);
+  ImGui::SameLine();
+  if (ImGui::Button("Library...", size)) state.library.asked = true;
+  note_item(state.widgets, "start/Library...");
+  tip("Ctrl+L");
 }
 
 void example_cards(StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {

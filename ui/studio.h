@@ -17,6 +17,7 @@
 #include "ui/accuracy_results.h"
 #include "ui/choice_results.h"
 #include "ui/document.h"
+#include "ui/library_entry.h"
 
 namespace crest {
 
@@ -76,8 +77,9 @@ struct StudioInputs {
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
   /// An ImTextureID each, of 4:3, or 0: of `recent`, and of examples(). Both may be shorter, or empty.
   std::vector<std::uintptr_t> recent_pictures, example_pictures;
-  std::string performance;       ///< e.g. frame times, for the status bar
-  ExportPicture export_picture;  ///< of the last preview_export
+  std::span<const LibraryEntry> library;  ///< as it was last read
+  std::string performance;                ///< e.g. frame times, for the status bar
+  ExportPicture export_picture;           ///< of the last preview_export
   /// What is in a file of another program, while nothing of it is chosen; and what was asked for when it was
   /// opened.
   std::span<const Imported> imported;
@@ -92,6 +94,14 @@ struct StudioInputs {
 /// What the views show when nobody does anything: the picture as the settings have it; or the exact one,
 /// where there is one for the settings, or how far each of its pixels may be off, at most.
 enum class ShownPicture { as_set, exact, error_bound };
+
+/// Of the person's own folder of presets.
+enum class LibraryChange { add, rename, duplicate, remove };
+struct LibraryRequest {
+  LibraryChange change;
+  std::filesystem::path preset;  ///< a file, or to be duplicated a name; of `add` the document's
+  std::string title;             ///< the new one
+};
 
 /// What the person asked for in this frame, other than changes of the document.
 struct StudioRequests {
@@ -113,6 +123,9 @@ struct StudioRequests {
   bool cancel_loading = false;
   bool close_volume = false;
   bool shows_start_page = false;  ///< in place of the views
+  bool shows_library = false;     ///< its presets' pictures are wanted
+  bool reads_library = false;     ///< the folder may have changed
+  std::optional<LibraryRequest> library;
   bool new_preset = false;
   /// To be done first; when it fails, the program neither quits nor opens anything else.
   std::optional<std::filesystem::path> save_preset;
