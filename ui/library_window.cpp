@@ -124,22 +124,27 @@ void library_window(StudioState& state, const StudioInputs& inputs, StudioReques
   ImGui::SetNextWindowSize({std::floor(display.x * 0.8F), std::floor(display.y * 0.85F)},
                            ImGuiCond_Appearing);
   bool is_open = true;
-  if (!ImGui::BeginPopupModal(title, &is_open, ImGuiWindowFlags_NoSavedSettings)) return;
+  if (!ImGui::BeginPopupModal(title, &is_open,
+                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar))
+    return;
   requests.shows_library = true;
   search_row(state, inputs.library);
   ImGui::Separator();
-  const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+  const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().ItemSpacing.y;
   ImGui::BeginChild("cards", {0, -footer});
   const LibraryEntry* chosen = cards(state, inputs.library, requests);
   ImGui::EndChild();
   ImGui::Separator();
-  if (!chosen)
+  if (!chosen) {
+    ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("Choose a preset: its picture is as it looks on %s",
                         inputs.volume ? inputs.volume->name.c_str() : "a built-in volume");
-  else if (library.renamed)
+    ImGui::SameLine();
+  } else if (library.renamed) {
     rename_row(state, *chosen, requests);
-  else
+  } else {
     chosen_row(state, *chosen, requests);
+  }
   ImGui::NewLine();
   if (named_button(state.widgets, "Add the present preset",
                    "Keeps a copy of what is being edited in your own folder"))

@@ -33,7 +33,7 @@ void opening(const Document& document, StudioState& state) {
   ImGui::SetWindowFontScale(1);
   ImGui::TextDisabled("Open a volume, or drop a file anywhere on this window.");
   ImGui::Spacing();
-  const ImVec2 size{scaled(180), scaled(32)};
+  const ImVec2 size{scaled(126), scaled(32)};
   const auto button = [&](const char* text, const char* keys, FilePurpose purpose) {
     if (ImGui::Button(text, size)) ask_for_file(state, document, purpose);
     note_item(state.widgets, fmt::format("start/{}", text));
