@@ -6,6 +6,8 @@
 #include "app/exact_picture.h"
 #include "app/offscreen_context.h"
 #include "app/picture.h"
+#include "app/picture_maker.h"
+#include "app/preset_source.h"
 #include "app/scene_options.h"
 #include "presets/json.h"
 #include "render/files/load.h"
@@ -46,7 +48,7 @@ MeasuredPicture draw_and_write(Renderer& renderer, const Scene& scene, const Cam
   const std::filesystem::path bound_file = all.error_bound;
   const bool counts = options.json || !bound_file.empty();
   auto picture = measure_pictures(renderer, {scene}, camera, options.pixels(), options.frames, counts)[0];
-  write_image(options.output, picture.image, scene.rendering.background);
+  write_image(options.output, picture.image, scene.rendering.background, all.preset);
   if (!bound_file.empty())
     write_image(bound_file,
                 error_bound_picture(picture.error_bounds, options.pixels(), bound_file.extension() != ".exr"),
@@ -63,10 +65,21 @@ void render_on_gpu(const Scene& scene, const Camera& camera, const RenderOptions
   if (all.picture.json) print_statistics(statistics_json(picture, renderer, scene), context.renderer());
 }
 
+/// One turn about what the camera looks at, in numbered files.
+void render_turn(const Scene& scene, const Camera& camera, const RenderOptions& all) {
+  const OffscreenContext context(all.picture.device);
+  Renderer renderer({}, program_folder());
+  for (int i = 0; i < all.turntable; ++i) {
+    RenderOptions one = all;
+    one.picture.output = numbered(all.picture.output, i, all.turntable).string();
+    draw_and_write(renderer, scene, turned(camera, i, all.turntable), one);
+  }
+}
+
 void render_on_cpu(const Scene& scene, const Camera& camera, const RenderOptions& render_options) {
   const PictureOptions& options = render_options.picture;
   const auto picture = render_exact_pictures({scene}, camera, options.pixels(), options.output)[0];
-  write_image(options.output, picture.reference.image(), scene.rendering.background);
+  write_image(options.output, picture.reference.image(), scene.rendering.background, render_options.preset);
   print_warnings(picture.warnings);
   print_notes(picture.notes);
   if (options.json) print_statistics(statistics_json(picture, scene), exact_renderer);
@@ -98,7 +111,7 @@ void render_as_chosen(Scene scene, const Camera& camera, const RenderOptions& al
   print_statistics(json, context.renderer());
 }
 
-void render_picture(const RenderOptions& options) {
+void render_picture(RenderOptions options) {
   const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
   const Preset preset = options.picture.with_exact(options.scene.read_preset(*volume, aspect));
@@ -106,6 +119,8 @@ void render_picture(const RenderOptions& options) {
     throw UsageError("--error-bound", "only the exact march knows how far it may be off: add --exact");
   const Scene scene = make_scene(volume, preset);
   const Camera camera = camera_of(preset, volume->grid, aspect);
+  options.preset = preset_for_picture(preset, camera);
+  if (options.turntable > 1) return render_turn(scene, camera, options);
   if (options.automatic.is_on) return render_as_chosen(scene, camera, options);
   const auto render = preset.rendering.engine == Engine::reference ? render_on_cpu : render_on_gpu;
   render(scene, camera, options);
@@ -124,6 +139,11 @@ void add_render_command(Options app, Action& chosen) {
           "--error-bound", options->error_bound,
           "With --exact: a picture of how far each pixel may be off, at most; .png in colours, .exr as it is")
       .type_name("FILE");
+  command
+      .add("--turntable", options->turntable,
+           "So many pictures of one turn about what the camera looks at: OUTPUT-001.png, ...")
+      .in(1, 3600)
+      .type_name("N");
   options->automatic.add_to(command);
   command.when_read([options, &chosen] {
     options->automatic.check(options->scene);
@@ -134,6 +154,9 @@ void add_render_command(Options app, Action& chosen) {
       throw UsageError("--auto", "--exact is a choice of its own: one of the two");
     if (options->automatic.is_on && !options->error_bound.empty())
       throw UsageError("--error-bound", "of --exact alone, not of --auto");
+    if (options->turntable > 1 &&
+        (options->picture.json || !options->error_bound.empty() || options->automatic.is_on))
+      throw UsageError("--turntable", "takes pictures alone: without --json, --error-bound and --auto");
     chosen = [options] { render_picture(*options); };
   });
 }

@@ -41,7 +41,10 @@ Preset with_field(const Preset& preset, const char* option, const std::string& a
 }  // namespace
 
 void SceneOptions::add_to(Options options) {
-  options.add("--preset", preset, "A preset's file, its name in the library (crest list presets), or a picture that was made with it")
+  options
+      .add(
+          "--preset", preset,
+          "A preset's file, its name in the library (crest list presets), or a picture that was made with it")
       .type_name("FILE");
   options.add("--mode", mode, "What a ray collects: " + name_list<Mode>()).type_name("MODE");
   options.add("--engine", engine, "What renders: " + name_list<Engine>()).type_name("ENGINE");

@@ -25,6 +25,7 @@ Studio::Studio(Document document, FitPreset fit, std::filesystem::path shader_fo
       fit_(std::move(fit)),
       views_(std::move(shader_folder), program_folder()),
       thumbnails_(thumbnail_folder()),
+      own_presets_(own_preset_folder()),
       autosave_(recovery_folder()) {
   mark_saved();
   find_recoveries();
@@ -78,6 +79,7 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.export_preset) export_to(*requests.export_preset);
   if (requests.carry) carry_over(*requests.carry);
   if (requests.save_ray) save_ray_to(*requests.save_ray);
+  if (requests.save_picture) save_picture(*requests.save_picture);
   if (requests.cancel_loading) cancel_loading();
   if (requests.open_volume) start_loading(*requests.open_volume);
   if (requests.reload_shaders) {
@@ -87,6 +89,8 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.recovery) take_recovery(*requests.recovery);
   if (requests.measure) *requests.measure ? sweep_.switch_on() : sweep_.switch_off();
   if (requests.close_volume) close_volume();
+  if (requests.reads_library) own_presets_.read_again(), read_library();
+  if (requests.library) change_library(*requests.library);
   if (!quit_) return;
   keep_thumbnails();
   autosave_.end();  // saved, or discarded by choice
@@ -105,6 +109,8 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.message_is_error = message_is_error_;
   inputs.recent = recent_.list();
   inputs.performance = performance_;
+  inputs.saving = picture_maker_.progress();
+  inputs.library = library_;
   inputs.recovery = recovery_offer();
   inputs.accuracy = &sweep_.results();
   inputs.choice = &choice_.results();
@@ -179,6 +185,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   take_choice();
   matters_.take();
   take_thumbnails();
+  take_saved_picture();
   StudioInputs shown;
   try {
     shown = inputs(close_requested);

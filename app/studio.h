@@ -12,6 +12,8 @@
 #include "app/background_sweep.h"
 #include "app/export_picture.h"
 #include "app/last_volume.h"
+#include "app/picture_maker.h"
+#include "app/preset_folder.h"
 #include "app/ray_inspector.h"
 #include "app/recent_files.h"
 #include "app/slice_pictures.h"
@@ -54,7 +56,8 @@ class Studio {
   bool animates() const { return animates_; }  ///< the window changes by itself, each blink_s
   /// Something of the work in the background may come up soon, has come up.
   bool is_measuring() const {
-    return sweep_.is_active() || choice_.is_running() || matters_.is_active() || thumbnail_maker_.is_busy();
+    return sweep_.is_active() || choice_.is_running() || matters_.is_active() || thumbnail_maker_.is_busy() ||
+           picture_maker_.is_busy();
   }
   bool has_news() const {
     const auto now = BackgroundSweep::Clock::now();
@@ -90,6 +93,9 @@ class Studio {
   void close_volume();
   void add_start_pictures(StudioInputs& inputs);
   void keep_thumbnails();
+  void read_library();
+  void change_library(const LibraryRequest& request);
+  std::vector<ThumbnailJob> library_jobs();
   void take_thumbnails();
   void want_thumbnails(const StudioRequests& requests);
   void say(std::string text, bool is_error = false);
@@ -103,7 +109,10 @@ class Studio {
   SweepSubject choice_subject(glm::ivec2 size) const;
   void take_choice();
   void update_choice(const StudioRequests& requests);
-  ViewRequest request_of(const ViewContent& content, const StudioRequests& requests, glm::ivec2 size) const;
+  ViewRequest view_request(const ViewContent& content, const LitPoints& lit, ShownPicture shown_by_all_views,
+                           glm::ivec2 size) const;
+  void save_picture(const PictureAsk& ask);
+  void take_saved_picture();
   std::array<ViewRequest, picture_count> view_requests(const StudioRequests& requests) const;
   void update_rays(const StudioRequests& requests, bool interactive);
   void save_ray_to(const std::filesystem::path& path);
@@ -128,6 +137,7 @@ class Studio {
   ViewRenderer views_;
   ViewDifference difference_;
   RayInspector rays_;
+  PictureMaker picture_maker_;
   std::optional<PickedPixel> picked_;
   bool animates_ = false;
   BackgroundSweep sweep_;
@@ -142,6 +152,9 @@ class Studio {
   RecentFiles recent_;
   ThumbnailStore thumbnails_;
   ThumbnailMaker thumbnail_maker_;
+  PresetFolder own_presets_;
+  std::vector<LibraryEntry> library_;
+  std::vector<std::string> library_texts_;  ///< of the presets in it, which their pictures are found by
   struct Recovery {
     RecoveryFile file;
     KeptDocument kept;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/export_files.h"
+#include "app/preset_source.h"
 #include "app/studio.h"
 #include "app/user_folders.h"
 #include "presets/atomic_file.h"
@@ -11,6 +12,7 @@
 #include "presets/exchange/exporters.h"
 #include "presets/preset_file.h"
 #include "render/files/file_request.h"
+#include "render/files/image.h"
 #include "render/scene/export_input.h"
 #include "ui/studio_state.h"
 
@@ -21,6 +23,15 @@ namespace {
 
 bool is_preset_file(const std::string& source) {
   return std::ranges::find(preset_extensions(), extension_of(source)) != preset_extensions().end();
+}
+
+/// Whether it is a picture that was made with a preset; other pictures are volumes.
+bool holds_preset(const std::string& source) {
+  try {
+    return is_picture_file(source) && !preset_in_picture(source).empty();
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 /// What is in a file of another program; nothing where it is none.
@@ -118,13 +129,14 @@ void Studio::close_volume() {
 void Studio::open_preset(const std::string& name_or_path, TfParts take) {
   try {
     const bool is_file = std::filesystem::exists(name_or_path);
-    if (is_file) imported_ = presets_of_another_program(name_or_path);
+    const bool is_picture = is_picture_file(name_or_path);
+    if (is_file && !is_picture) imported_ = presets_of_another_program(name_or_path);
     if (!imported_.empty()) {
       imported_from_ = name_or_path;
       import_take_ = take;
       return;
     }
-    Preset preset = load_preset(name_or_path);
+    Preset preset = load_preset_from(name_or_path);
     keep_thumbnails();
     fit_ = nullptr;  // was for the preset of the command line
     if (TransferFunction& tf = document_.preset.transfer_function; take != TfParts::both) {
@@ -134,10 +146,10 @@ void Studio::open_preset(const std::string& name_or_path, TfParts take) {
       return;
     }
     document_.preset = std::move(preset);
-    document_.preset_path = is_file ? name_or_path : "";
+    document_.preset_path = is_file && !is_picture ? name_or_path : "";
     document_.library_name = is_file ? "" : name_or_path;
     mark_saved();
-    if (is_file) recent_.add(name_or_path);
+    if (is_file && !is_picture) recent_.add(name_or_path);
     say(fmt::format("Opened {}", name_or_path));
   } catch (const std::exception& error) {
     say(error.what(), true);
@@ -216,7 +228,7 @@ bool Studio::save_preset_to(const std::filesystem::path& path) {
 }
 
 void Studio::open(const std::string& source) {
-  if (is_preset_file(source))
+  if (is_preset_file(source) || holds_preset(source))
     dropped_preset_ = source;
   else
     start_loading(source);
@@ -269,6 +281,34 @@ void Studio::save_ray_to(const std::filesystem::path& path) {
   } catch (const std::exception& error) {
     say(error.what(), true);
   }
+}
+
+/// In the background, at a size of its own: the window stays live.
+void Studio::save_picture(const PictureAsk& ask) {
+  if (!loaded_.volume) return;
+  const ViewsState& views = ui_->views;
+  PictureJob job;
+  job.size = ask.size;
+  job.camera = camera_of(document_.preset, loaded_.volume->grid, aspect_of(ask.size));
+  job.pictures = ask.turntable;
+  job.path = ask.path;
+  job.preset = preset_for_picture(document_.preset, job.camera);
+  for (int i = 0; i < view_count; ++i) {
+    const ViewContent& content = views.contents[std::size_t(i)];
+    if (ask.view == i || (ask.view < 0 && i < views.count))
+      job.views.push_back({view_request(content, {}, shown_by_all(views), ask.size).scene, text_of(content)});
+  }
+  picture_maker_.start(std::move(job));
+  say(fmt::format("Saving {} ...", ask.path.string()));
+}
+
+void Studio::take_saved_picture() {
+  const auto outcome = picture_maker_.take();
+  if (!outcome) return;
+  if (!outcome->error.empty())
+    say(outcome->error, true);
+  else if (outcome->result)
+    say(*outcome->result);
 }
 
 }  // namespace crest

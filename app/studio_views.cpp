@@ -11,7 +11,7 @@ namespace crest {
 namespace {
 
 /// The preset with the surface of these points in a colour that stands out.
-Preset with_lit_points(Preset preset, const std::optional<std::pair<std::size_t, std::size_t>>& points) {
+Preset with_lit_points(Preset preset, const LitPoints& points) {
   if (!points) return preset;
   constexpr double least_opacity = 0.9;
   const glm::dvec3 light{1, 0.15, 0.85};
@@ -26,13 +26,13 @@ Preset with_lit_points(Preset preset, const std::optional<std::pair<std::size_t,
 }  // namespace
 
 /// A content's picture; by the exact march where that is wanted, and there is one for the settings.
-ViewRequest Studio::request_of(const ViewContent& content, const StudioRequests& requests,
-                               glm::ivec2 size) const {
+ViewRequest Studio::view_request(const ViewContent& content, const LitPoints& lit,
+                                 ShownPicture shown_by_all_views, glm::ivec2 size) const {
   const Camera camera = camera_of(document_.preset, loaded_.volume->grid, aspect_of(size));
   Preset preset = preset_of(content, document_.preset);
-  if (!content.other) preset = with_lit_points(std::move(preset), requests.lit_points);
+  if (!content.other) preset = with_lit_points(std::move(preset), lit);
   ViewRequest request{make_scene(loaded_.volume, preset), camera, size};
-  const ShownPicture shown = content.picture.value_or(requests.shown_picture);
+  const ShownPicture shown = content.picture.value_or(shown_by_all_views);
   Rendering& rendering = request.scene.rendering;
   if (shown == ShownPicture::as_set || !why_not_exact(rendering).empty()) return request;
   rendering = exact_rendering(rendering);
@@ -45,10 +45,11 @@ std::array<ViewRequest, picture_count> Studio::view_requests(const StudioRequest
   if (!loaded_.volume) return wanted;
   for (std::size_t i = 0; i < view_count; ++i)
     if (const glm::ivec2 size = requests.view_pixels[i]; size.x > 0)
-      wanted[i] = request_of(requests.contents[i], requests, size);
+      wanted[i] = view_request(requests.contents[i], requests.lit_points, requests.shown_picture, size);
   if (requests.comparison)
-    wanted[compared_picture] = request_of(requests.comparison->with, requests,
-                                          requests.view_pixels[std::size_t(requests.comparison->view)]);
+    wanted[compared_picture] =
+        view_request(requests.comparison->with, requests.lit_points, requests.shown_picture,
+                     requests.view_pixels[std::size_t(requests.comparison->view)]);
   return wanted;
 }
 

@@ -21,4 +21,9 @@ std::filesystem::path recovery_folder() {
   return state.empty() ? state : state / "recovery";
 }
 
+std::filesystem::path own_preset_folder() {
+  const std::filesystem::path data = data_folder();
+  return data.empty() ? data : data / "presets";
+}
+
 }  // namespace crest

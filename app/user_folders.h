@@ -17,6 +17,9 @@ std::filesystem::path data_folder();
 /// The part of the state folder for unsaved changes (RecoveryFile).
 std::filesystem::path recovery_folder();
 
+/// The part of the data folder for presets of a person's own.
+std::filesystem::path own_preset_folder();
+
 /// $VARIABLE/crest, or $HOME/`in_home`/crest.
 std::filesystem::path user_folder(const char* variable, const char* in_home);
 

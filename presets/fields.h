@@ -120,6 +120,7 @@ template <Either<Preset> Self, class Field>
 void visit_fields(Self& preset, Field&& field) {
   field("name", preset.name, always_written());
   field("notes", preset.notes, always_written());
+  field("tags", preset.tags, any_value);
   field("transfer_function", preset.transfer_function, required(any_value));
   field("rendering", preset.rendering, always_written());
   field("camera", preset.camera, any_value);

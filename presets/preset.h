@@ -108,6 +108,7 @@ struct Camera {
 /// All that a person saves.
 struct Preset {
   std::string name, notes;
+  std::vector<std::string> tags;  ///< words to find it by in a library
   TransferFunction transfer_function;
   Rendering rendering;
   std::optional<Camera> camera;  ///< without one, the whole volume is in view

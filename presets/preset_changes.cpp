@@ -90,6 +90,7 @@ void add_texts(std::vector<std::string>& sentences, const Preset& before, const 
   if (before.name != after.name)
     sentences.push_back(after.name.empty() ? "Remove the name" : fmt::format("Name it {}", after.name));
   if (before.notes != after.notes) sentences.emplace_back("Change the notes");
+  if (before.tags != after.tags) sentences.emplace_back("Change the tags");
 }
 
 void add_transfer_function(std::vector<std::string>& sentences, TransferFunction before,

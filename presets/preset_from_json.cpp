@@ -60,6 +60,15 @@ void read(const Json& json, const Path& path, std::string& text, const FieldRule
   text = json.get<std::string>();
 }
 
+void read(const Json& json, const Path& path, std::vector<std::string>& texts, const FieldRule& rule) {
+  if (!json.is_array()) fail(path, fmt::format("{} is not an array of texts", summary_of(json)));
+  texts.clear();
+  for (const Json& element : json) {
+    const Path element_path{&path, {}, texts.size()};
+    read(element, element_path, texts.emplace_back(), rule);
+  }
+}
+
 void read(const Json& json, const Path& path, glm::dvec3& vector, const FieldRule& rule) {
   if (!json.is_array() || json.size() != 3)
     fail(path, fmt::format("{} is not an array of 3 numbers", summary_of(json)));

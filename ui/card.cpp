@@ -33,7 +33,13 @@ bool card(WidgetState& state, const Card& what) {
   const bool pressed = ImGui::InvisibleButton(what.name.c_str(), size);
   note_item(state, what.name);
   const bool is_hovered = ImGui::IsItemHovered();
-  if (is_hovered && !what.tooltip.empty()) ImGui::SetTooltip("%s", what.tooltip.c_str());
+  if (is_hovered && !what.tooltip.empty()) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(scaled(420));
+    ImGui::TextUnformatted(what.tooltip.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+  }
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 high{low.x + size.x, low.y + size.y};

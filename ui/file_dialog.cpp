@@ -24,11 +24,13 @@ struct Wording {
 };
 constexpr std::string_view own_extension[] = {".json"};
 constexpr std::string_view table_extension[] = {".csv"};
+constexpr std::string_view picture_extensions[] = {".png", ".exr"};
 const Wording wordings[] = {{"Open a volume", "Open", {}},
                             {"Open a preset", "Open", preset_extensions()},
                             {"Save the preset", "Save", own_extension},
                             {"Export to a file", "Export", {}},
-                            {"Save the ray as a table", "Save", table_extension}};
+                            {"Save the ray as a table", "Save", table_extension},
+                            {"Save the picture", "Save", picture_extensions}};
 
 const Wording& wording(FilePurpose purpose) { return wordings[int(purpose)]; }
 
@@ -243,7 +245,9 @@ void open_file_dialog(FileDialog& dialog, FilePurpose purpose, const fs::path& n
   dialog.purpose = purpose;
   dialog.asked = dialog.open = true;
   if (purpose == FilePurpose::save_preset) dialog.name = near.filename().string();
-  dialog.extension = purpose == FilePurpose::save_ray ? ".csv" : ".json";
+  dialog.extension = purpose == FilePurpose::save_ray       ? ".csv"
+                     : purpose == FilePurpose::save_picture ? ".png"
+                                                            : ".json";
   enter(dialog, folder);
 }
 

@@ -10,7 +10,7 @@
 
 namespace crest {
 
-enum class FilePurpose { open_volume, open_preset, save_preset, export_preset, save_ray };
+enum class FilePurpose { open_volume, open_preset, save_preset, export_preset, save_ray, save_picture };
 
 /// A modal window that lets a person choose a file.
 struct FileDialog {

@@ -9,7 +9,6 @@
 
 #include "presets/exchange/color_maps.h"
 #include "presets/names.h"
-#include "presets/preset_file.h"
 #include "render/volume/builtin.h"
 #include "ui/comparison_view.h"
 #include "ui/keys.h"
@@ -75,15 +74,6 @@ void volume_menu(const Document& document, StudioState& state, const StudioInput
   ImGui::EndMenu();
 }
 
-void library_menu(StudioState& state, StudioRequests& requests) {
-  if (!menu(state, "Library")) return;
-  for (const LibraryPreset& preset : library()) {
-    const std::string name(preset.name);
-    if (item(state, name.c_str())) requests.open_preset = name;
-  }
-  ImGui::EndMenu();
-}
-
 bool fit_to_volume(Document& document, StudioState& state, const Volume& volume) {
   TransferFunction& tf = document.preset.transfer_function;
   const TransferFunction before = std::exchange(tf, fitted(tf, volume.statistics.range));
@@ -140,11 +130,12 @@ bool preset_menu(Document& document, StudioState& state, const StudioInputs& inp
   if (item(state, "New")) requests.new_preset = true;
   if (item(state, "Open preset...", "Ctrl+Shift+O")) ask_for_file(state, document, FilePurpose::open_preset);
   recent_files(state, inputs, requests, true);
-  library_menu(state, requests);
+  if (item(state, "Library...", "Ctrl+L")) state.library.asked = true;
   ImGui::Separator();
   if (item(state, "Save", "Ctrl+S")) save(document, state, requests);
   if (item(state, "Save as...", "Ctrl+Shift+S")) ask_for_file(state, document, FilePurpose::save_preset);
   if (item(state, "Export...", "Ctrl+E")) state.export_dialog.asked = true;
+  if (item(state, "Name and notes...")) state.details.asked = true;
   ImGui::Separator();
   changed |= color_map_menu(document, state, inputs);
   carry_menu(state, inputs, requests);
@@ -204,9 +195,11 @@ void leave(ViewsState& views) {
     views.enlarged = -1;
 }
 
-bool view_menu(Document& document, StudioState& state, StudioRequests& requests) {
+bool view_menu(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   if (!menu(state, "View")) return false;
   bool changed = false;
+  if (item(state, "Save a picture...", "Ctrl+P", inputs.volume != nullptr)) state.picture_dialog.asked = true;
+  ImGui::Separator();
   if (item(state, "Reset view", "R")) changed |= reset_view(document, state);
   ImGui::MenuItem("Outline and axes", nullptr, &state.views.outline);
   ImGui::MenuItem("Suggested peaks", nullptr, &state.editor.suggestions);
@@ -241,8 +234,9 @@ bool view_menu(Document& document, StudioState& state, StudioRequests& requests)
   return changed;
 }
 
-/// The preset's name at the right end, with a dot before it while it has changes that are not saved.
-void preset_name(const Document& document, const StudioInputs& inputs) {
+/// The preset's name at the right end, with a dot before it while it has changes that are not saved. A click
+/// edits it.
+void preset_name(const Document& document, StudioState& state, const StudioInputs& inputs) {
   const std::string& name = document.preset.name;
   const std::string file = document.preset_path.filename().string();
   const std::string text = !name.empty() ? name : !file.empty() ? file : "new preset";
@@ -256,7 +250,12 @@ void preset_name(const Document& document, const StudioInputs& inputs) {
                                                 palette::accent);
   ImGui::SetCursorPosX(x + scaled(10));
   ImGui::TextDisabled("%s", text.c_str());
-  if (inputs.unsaved_changes) tip("Not saved yet");
+  note_item(state.widgets, "preset title");
+  if (ImGui::IsItemClicked()) state.details.asked = true;
+  const std::string& notes = document.preset.notes;
+  tip(fmt::format("{}{}{}Click for its name, notes and tags", inputs.unsaved_changes ? "Not saved yet\n" : "",
+                  notes, notes.empty() ? "" : "\n")
+          .c_str());
 }
 
 }  // namespace
@@ -267,12 +266,12 @@ bool menu_bar(Document& document, StudioState& state, const StudioInputs& inputs
   volume_menu(document, state, inputs, requests);
   changed |= preset_menu(document, state, inputs, requests);
   changed |= edit_menu(document, state);
-  changed |= view_menu(document, state, requests);
+  changed |= view_menu(document, state, inputs, requests);
   if (menu(state, "Help")) {
     if (item(state, "Keys and mouse", "F1")) state.show_help = true;
     ImGui::EndMenu();
   }
-  preset_name(document, inputs);
+  preset_name(document, state, inputs);
   ImGui::EndMainMenuBar();
   return changed;
 }
@@ -299,7 +298,9 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
       ask_for_file(state, document, io.KeyShift ? FilePurpose::open_preset : FilePurpose::open_volume);
     if (key_pressed('S') && io.KeyShift) ask_for_file(state, document, FilePurpose::save_preset);
     if (key_pressed('S') && !io.KeyShift) save(document, state, requests);
+    if (key_pressed('L')) state.library.asked = true;
     if (key_pressed('E')) state.export_dialog.asked = true;
+    if (key_pressed('P') && !io.KeyShift) state.picture_dialog.asked = true;
     if (key_pressed('Q')) state.quit_asked = true;
     for (int i = 1; i <= view_count; ++i)
       if (key_pressed('0' + i)) show_views(state.views, i);

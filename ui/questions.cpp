@@ -44,18 +44,19 @@ constexpr HelpLine help_lines[] = {
     {"", "Files"},
     {"Ctrl+O, Ctrl+Shift+O", "open a volume, a preset"},
     {"Ctrl+S, Ctrl+Shift+S", "save the preset, save it as"},
+    {"Ctrl+L", "the library of presets, as they look on this volume"},
     {"Ctrl+E", "export the preset for another program"},
     {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo (also Ctrl+Y)"},
     {"F5", "reload the shaders"},
     {"Ctrl+Q", "quit"},
 };
 
+}  // namespace
+
 void center_next_window() {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});
 }
-
-}  // namespace
 
 void ask_for_file(StudioState& state, const Document& document, FilePurpose purpose) {
   const std::string source = document.volume_source.substr(0, document.volume_source.find('?'));
@@ -140,6 +141,10 @@ void file_question(StudioState& state, StudioRequests& requests) {
     if (purpose == FilePurpose::export_preset) requests.export_preset = {state.export_dialog.to_write, *path};
     if (purpose == FilePurpose::save_preset) requests.save_preset = *path;
     if (purpose == FilePurpose::save_ray) requests.save_ray = *path;
+    if (purpose == FilePurpose::save_picture) {
+      requests.save_picture = state.picture_dialog.ask;
+      requests.save_picture->path = *path;
+    }
   }
   if (!state.leaving.once_saved) return;
   if (requests.save_preset)

@@ -10,6 +10,9 @@ namespace crest {
 void unsaved_question(Document& document, StudioState& state, const StudioInputs& inputs,
                       StudioRequests& requests);
 
+/// Of a window that asks something.
+void center_next_window();
+
 /// Opens the file dialog beside the document's preset or volume.
 void ask_for_file(StudioState& state, const Document& document, FilePurpose purpose);
 

@@ -33,7 +33,7 @@ void opening(const Document& document, StudioState& state) {
   ImGui::SetWindowFontScale(1);
   ImGui::TextDisabled("Open a volume, or drop a file anywhere on this window.");
   ImGui::Spacing();
-  const ImVec2 size{scaled(180), scaled(32)};
+  const ImVec2 size{scaled(126), scaled(32)};
   const auto button = [&](const char* text, const char* keys, FilePurpose purpose) {
     if (ImGui::Button(text, size)) ask_for_file(state, document, purpose);
     note_item(state.widgets, fmt::format("start/{}", text));
@@ -42,6 +42,10 @@ void opening(const Document& document, StudioState& state) {
   button("Open volume...", "Ctrl+O", FilePurpose::open_volume);
   ImGui::SameLine();
   button("Open preset...", "Ctrl+Shift+O", FilePurpose::open_preset);
+  ImGui::SameLine();
+  if (ImGui::Button("Library...", size)) state.library.asked = true;
+  note_item(state.widgets, "start/Library...");
+  tip("Ctrl+L");
 }
 
 void example_cards(StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {

@@ -68,6 +68,7 @@ void status_bar(StudioState& state, const StudioInputs& inputs, StudioRequests& 
   // An error is told first, and whole.
   if (inputs.message_is_error) write_left(inputs.message, palette::error);
   write_right(inputs.performance, palette::faint);
+  write_right(inputs.saving, palette::accent);
   write_left(volume_text(inputs.volume), palette::dim);
   write_right(state.under_cursor, palette::text);
   if (!inputs.message_is_error) write_left(inputs.message, palette::text);

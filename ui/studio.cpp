@@ -10,10 +10,13 @@
 #include "ui/export_dialog.h"
 #include "ui/history_panel.h"
 #include "ui/import_dialog.h"
+#include "ui/library_window.h"
 #include "ui/menu_bar.h"
 #include "ui/peak_table_panel.h"
 #include "ui/peaks_panel.h"
+#include "ui/picture_dialog.h"
 #include "ui/points_panel.h"
+#include "ui/preset_details.h"
 #include "ui/questions.h"
 #include "ui/ray_panel.h"
 #include "ui/recovery_banner.h"
@@ -206,6 +209,9 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   requests.lit_points = lit_points(state, inputs);
   export_dialog(document, state, inputs, requests);
   import_dialog(state, inputs, requests);
+  picture_dialog(document, state, inputs);
+  requests.document_changed |= preset_details(document, state);
+  library_window(state, inputs, requests);
   if (inputs.dropped_preset) requests.open_preset = inputs.dropped_preset;
   file_question(state, requests);
   unsaved_question(document, state, inputs, requests);

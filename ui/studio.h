@@ -24,6 +24,7 @@
 #include "ui/choice_results.h"
 #include "ui/comparison.h"
 #include "ui/document.h"
+#include "ui/library_entry.h"
 #include "ui/ray_inspection.h"
 #include "ui/view_content.h"
 
@@ -107,8 +108,10 @@ struct StudioInputs {
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
   /// An ImTextureID each, of 4:3, or 0: of `recent`, and of examples(). Both may be shorter, or empty.
   std::vector<std::uintptr_t> recent_pictures, example_pictures;
-  std::string performance;       ///< e.g. frame times, for the status bar
-  ExportPicture export_picture;  ///< of the last preview_export
+  std::span<const LibraryEntry> library;  ///< as it was last read
+  std::string saving;                     ///< how far a picture is that is being saved; empty while none is
+  std::string performance;                ///< e.g. frame times, for the status bar
+  ExportPicture export_picture;           ///< of the last preview_export
   /// What is in a file of another program, while nothing of it is chosen; and what was asked for when it was
   /// opened.
   std::span<const Imported> imported;
@@ -118,6 +121,25 @@ struct StudioInputs {
   const Preset* saved = nullptr;  ///< the preset as its file has it; null where it has none
   std::optional<std::string> dropped_preset;  ///< on the window, since the last frame
   bool close_requested = false;               ///< the window's close button was pressed since the last frame
+};
+
+/// Of the person's own folder of presets.
+enum class LibraryChange { add, rename, duplicate, remove };
+struct LibraryRequest {
+  LibraryChange change;
+  std::filesystem::path preset;  ///< a file, or to be duplicated a name; of `add` the document's
+  std::string title;             ///< the new one
+};
+
+/// Control points, first and last.
+using LitPoints = std::optional<std::pair<std::size_t, std::size_t>>;
+
+/// A picture to be saved: of one view, or of all that the grid shows.
+struct PictureAsk {
+  int view = -1;  ///< -1: the grid
+  glm::ivec2 size{0};
+  int turntable = 1;  ///< pictures of one turn
+  std::filesystem::path path;
 };
 
 /// What the person asked for in this frame, other than changes of the document.
@@ -140,6 +162,9 @@ struct StudioRequests {
   bool cancel_loading = false;
   bool close_volume = false;
   bool shows_start_page = false;  ///< in place of the views
+  bool shows_library = false;     ///< its presets' pictures are wanted
+  bool reads_library = false;     ///< the folder may have changed
+  std::optional<LibraryRequest> library;
   bool new_preset = false;
   /// To be done first; when it fails, the program neither quits nor opens anything else.
   std::optional<std::filesystem::path> save_preset;
@@ -151,10 +176,11 @@ struct StudioRequests {
   std::optional<RayAsk> inspect;                     ///< as long as the ray is to be seen
   std::optional<RayAsk> hovered;                     ///< the pixel under the mouse
   std::optional<std::filesystem::path> save_ray;     ///< the inspected ray, as a table
+  std::optional<PictureAsk> save_picture;
   std::string problem;    ///< with what the person asked for, which the panels found themselves
   bool animates = false;  ///< something in the window changes by itself, at blink_s
   /// Control points, first and last, whose surface is lit while the mouse rests on it in the list.
-  std::optional<std::pair<std::size_t, std::size_t>> lit_points;
+  LitPoints lit_points;
   bool document_changed = false;       ///< by this frame: an edit, undo or redo
   std::optional<SlicesWanted> slices;  ///< as long as they are to be seen
   std::optional<CarryBy> carry;        ///< the TF that was there with the last volume, to this one

@@ -93,6 +93,27 @@ struct Leaving {
   bool is_any() const { return quit || new_preset || open_preset; }
 };
 
+/// The window for the preset's name, notes and tags.
+struct PresetDetails {
+  bool asked = false;  ///< to be opened in the next frame
+  std::string tags;    ///< as they are typed
+};
+
+/// The window for the library.
+struct LibraryState {
+  bool asked = false;                  ///< to be opened in the next frame
+  std::string search, tag, chosen;     ///< the last a LibraryEntry::name
+  bool open_chosen = false;            ///< it was double-clicked
+  std::optional<std::string> renamed;  ///< the name that is being typed
+};
+
+/// What is chosen for a picture that is saved.
+struct PictureDialog {
+  bool asked = false;      ///< to be opened in the next frame
+  glm::ivec2 as_shown{0};  ///< the size of a view, in the last frame
+  PictureAsk ask;
+};
+
 struct ImportDialog {
   int chosen = -1;  ///< none yet
   TfParts take = TfParts::both;
@@ -110,7 +131,10 @@ struct StudioState {
   FileDialog file_dialog;
   ExportDialog export_dialog;
   ImportDialog import_dialog;
+  PictureDialog picture_dialog;
   glm::dvec3 slice_cursor{0.5};  ///< SlicesWanted::cursor
+  PresetDetails details;
+  LibraryState library;
   bool show_help = false;
   bool quit_asked = false;   ///< the person wants to leave
   Leaving leaving;           ///< what the question about unsaved changes is about

@@ -189,6 +189,8 @@ bool views_panel(Document& document, StudioState& state, const StudioInputs& inp
     }
   }
   views.cursor = cursor;
+  for (const glm::ivec2 pixels : requests.view_pixels)
+    if (pixels.x > 0) state.picture_dialog.as_shown = pixels;
   requests.shown_picture = shown_by_all(views);
   requests.contents = views.contents;
   requests.inspect = state.ray.ask;

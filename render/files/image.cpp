@@ -43,8 +43,8 @@ void write_image(const std::filesystem::path& path, const Image& image, glm::vec
   const auto extension = path.extension();
   if (extension != ".png" && extension != ".exr")
     throw Error(fmt::format("{}: a picture's name ends with .png or .exr", path.string()));
-  write_file_atomically(path,
-                        extension == ".png" ? encode_png(path, image, background, preset) : encode_exr(path, image, preset));
+  write_file_atomically(path, extension == ".png" ? encode_png(path, image, background, preset)
+                                                  : encode_exr(path, image, preset));
 }
 
 std::string png_of(const Image& image, glm::vec3 background) {

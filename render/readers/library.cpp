@@ -29,7 +29,8 @@ Volume read_volume(FileForm form, const FileRequest& request) {
   return {};
 }
 
-constexpr FileLibrary library{read_volume, has_dicom, has_images, encode_rgb8, encode_rgba32f, preset_in_picture_file, read_image_file};
+constexpr FileLibrary library{
+    read_volume, has_dicom, has_images, encode_rgb8, encode_rgba32f, preset_in_picture_file, read_image_file};
 
 }  // namespace
 }  // namespace crest

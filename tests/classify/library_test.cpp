@@ -27,6 +27,7 @@ TEST(Library, PresetsFitAnyVolumeAndSayWhichTheyAreFor) {
     EXPECT_GE(preset.transfer_function.range().min, 0) << entry.name;
     EXPECT_LE(preset.transfer_function.range().max, 1) << entry.name;
     EXPECT_FALSE(preset.name.empty()) << entry.name;
+    EXPECT_FALSE(preset.tags.empty()) << entry.name;
     EXPECT_NE(preset.notes.find("builtin:"), std::string::npos) << entry.name;
     EXPECT_FALSE(preset.camera) << entry.name << ": the whole volume is in view";
     EXPECT_EQ(preset.unknown + preset.rendering.unknown + preset.transfer_function.unknown, "") << entry.name;

@@ -128,8 +128,8 @@ TEST(PresetChanges, Settings) {
   EXPECT_EQ(after([](Preset& p) { p.transfer_function.unit_distance = 3; }),
             Sentences{"Change unit distance from 1 to 3"});
   EXPECT_EQ(after([](Preset& p) { p.camera = Camera{}; }), Sentences{"Move the camera"});
-  EXPECT_EQ(after([](Preset& p) { p.name = "Hill", p.notes = "a\nb"; }),
-            (Sentences{"Name it Hill", "Change the notes"}));
+  EXPECT_EQ(after([](Preset& p) { p.name = "Hill", p.notes = "a\nb", p.tags = {"CT"}; }),
+            (Sentences{"Name it Hill", "Change the notes", "Change the tags"}));
 }
 
 TEST(PresetChanges, AConversionIsOneThing) {

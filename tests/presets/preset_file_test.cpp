@@ -213,6 +213,8 @@ TEST(ParsePreset, RefusesWrongFieldsWithTheirPath) {
        "rendering.root_filter: \"cubic\" is not one of: linear, linear_exact, bspline, bc"},
       {"/rendering/peak_bins", "1e200", "rendering.peak_bins: 1e+200 is not in [1, 4096]"},
       {"/camera/fov_y_degrees", "180", "camera.fov_y_degrees: 180 is not in (0, 180)"},
+      {"/tags", "\"CT\"", "tags: \"CT\" is not an array of texts"},
+      {"/tags", "[\"CT\", 3]", "tags[1]: 3 is not a text in quotes"},
       {"/camera/eye", "\"0,0,0\"", "camera.eye: \"0,0,0\" is not an array of 3 numbers"},
       {"/name", "5", "name: 5 is not a text in quotes"},
       {"/format", "\"other\"", "format: \"other\" is not \"crest-preset\""},

@@ -18,6 +18,7 @@ inline Preset random_preset(std::mt19937& random) {
   Preset preset;
   preset.name = "Ärger \"mit\" \\ Zeichen \n";
   preset.notes = random() % 2 ? "" : "\u2603 snow, tab\t";
+  for (auto i = random() % 3; i > 0; --i) preset.tags.push_back(random() % 2 ? "CT" : "\u00e4 \"b\"");
   TransferFunction& tf = preset.transfer_function;
   tf.domain = random() % 2 ? Domain::data : Domain::normalized;
   tf.unit = random() % 2 ? LengthUnit::world : LengthUnit::voxel;

@@ -100,7 +100,7 @@ TEST(SetField, RefusesWhatIsNotThere) {
             "background");
   EXPECT_EQ(
       error_of("render.step=1"),
-      "render.step: no field \"render\"; a preset has: format, version, name, notes, transfer_function, "
+      "render.step: no field \"render\"; a preset has: format, version, name, notes, tags, transfer_function, "
       "rendering, camera");
   EXPECT_EQ(error_of("transfer_function.points[2].value=1"),
             "transfer_function.points[2].value: transfer_function.points has 2 elements, counted from 0");

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <string>
 
-#include "presets/preset_file.h"
 #include "render/volume/builtin.h"
 #include "tests/ui/harness.h"
 
@@ -135,7 +134,7 @@ TEST_F(Files, TheMenusAskForWhatTheyName) {
   EXPECT_EQ(requests.open_volume, "/x/one.nrrd");
 }
 
-TEST_F(Files, BuiltInVolumesAndTheLibraryAreOffered) {
+TEST_F(Files, BuiltInVolumesAreOffered) {
   const std::string volume_name(builtins().front().name);
   click("menu/Volume");
   click("menu/Built-in");
@@ -143,14 +142,6 @@ TEST_F(Files, BuiltInVolumesAndTheLibraryAreOffered) {
   press();
   release();
   EXPECT_EQ(requests.open_volume, "builtin:" + volume_name);
-  ASSERT_FALSE(library().empty());
-  const std::string preset_name(library().front().name);
-  click("menu/Preset");
-  click("menu/Library");
-  move_to(center_of(preset_name));
-  press();
-  release();
-  EXPECT_EQ(requests.open_preset, preset_name);
 }
 
 TEST_F(Files, FittingAndConvertingTheValues) {

@@ -1,0 +1,78 @@
+#include "ui/picture_dialog.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "ui/number_field.h"
+#include "ui/questions.h"
+
+namespace crest {
+namespace {
+
+constexpr const char* title = "Save a picture";
+constexpr int longest_side = 16384;
+
+void size_row(WidgetState& widgets, PictureDialog& dialog) {
+  field_label("Size");
+  integer_field(widgets, "##picture width", dialog.ask.size.x, 1, longest_side, scaled(70));
+  ImGui::SameLine(0, scaled(4));
+  ImGui::TextDisabled("x");
+  ImGui::SameLine(0, scaled(4));
+  integer_field(widgets, "##picture height", dialog.ask.size.y, 1, longest_side, scaled(70));
+  const auto preset = [&](const char* text, glm::ivec2 size) {
+    ImGui::SameLine(0, scaled(6));
+    if (ImGui::Button(text)) dialog.ask.size = size;
+    note_item(widgets, fmt::format("size/{}", text));
+  };
+  preset("as shown", dialog.as_shown);
+  preset("1920 x 1080", {1920, 1080});
+  preset("3840 x 2160", {3840, 2160});
+}
+
+void what_row(StudioState& state, PictureDialog& dialog) {
+  field_label("Of");
+  const auto button = [&](const std::string& text, int view) {
+    if (ImGui::RadioButton(text.c_str(), dialog.ask.view == view)) dialog.ask.view = view;
+    note_item(state.widgets, fmt::format("picture of/{}", view));
+  };
+  button("the views, side by side", -1);
+  for (int i = 0; i < view_count; ++i)
+    button(fmt::format("view {}: {}", i + 1, text_of(state.views.contents[std::size_t(i)])), i);
+}
+
+}  // namespace
+
+void picture_dialog(Document& document, StudioState& state, const StudioInputs& inputs) {
+  PictureDialog& dialog = state.picture_dialog;
+  if (std::exchange(dialog.asked, false) && inputs.volume) {
+    ImGui::OpenPopup(title);
+    if (dialog.ask.size.x <= 0) dialog.ask.size = dialog.as_shown;
+    dialog.ask.view = state.views.enlarged >= 0 ? state.views.enlarged : dialog.ask.view;
+  }
+  center_next_window();
+  bool open = true;
+  if (!ImGui::BeginPopupModal(title, &open, ImGuiWindowFlags_AlwaysAutoResize)) return;
+  what_row(state, dialog);
+  ImGui::Spacing();
+  size_row(state.widgets, dialog);
+  ImGui::Spacing();
+  field_label("Pictures of one turn");
+  integer_field(state.widgets, "##turntable", dialog.ask.turntable, 1, 3600, scaled(60));
+  tip("1 is a single picture; 36 are ten degrees apart, in numbered files");
+  ImGui::Spacing();
+  ImGui::TextDisabled(".png or .exr. The file keeps the preset: dropped on the window, it opens it.");
+  ImGui::Spacing();
+  if (ImGui::Button("File ...", {scaled(104), 0})) {
+    ImGui::CloseCurrentPopup();
+    ask_for_file(state, document, FilePurpose::save_picture);
+  }
+  note_item(state.widgets, "picture file");
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel", {scaled(104), 0}) ||
+      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
+    ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace crest
