@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "presets/number_text.h"
+
 namespace crest {
 namespace {
-
-ControlPoint point_at(double value, const Classified& curve) {
-  ControlPoint point;
-  point.value = value;
-  point.color = curve.color;
-  point.opacity = std::clamp(curve.opacity, 0.0, 1.0);
-  return point;
-}
 
 /// The first point above `value`.
 std::size_t place_after(const std::vector<ControlPoint>& points, double value) {
@@ -30,6 +24,15 @@ bool contains(const Selection& selection, std::size_t i) {
 }
 
 }  // namespace
+
+ControlPoint point_at(double value, const Classified& curve) {
+  const auto tidy = [](double v) { return std::clamp(without_noise(v, std::abs(v)), 0.0, 1.0); };
+  ControlPoint point;
+  point.value = value;
+  point.color = {tidy(curve.color.r), tidy(curve.color.g), tidy(curve.color.b)};
+  point.opacity = tidy(curve.opacity);
+  return point;
+}
 
 std::size_t insert_point(TransferFunction& tf, double value, double opacity) {
   ControlPoint point = point_at(value, evaluate(tf, value));

@@ -141,10 +141,11 @@ struct CurveBeneath {
   /// What `point` has at its new place, if it stood on the curve.
   void stand(const ControlPoint& was, ControlPoint& point, const Classified& place) const {
     if (!is_on(before, was)) return;
-    point.opacity = std::clamp(place.opacity, 0.0, 1.0);
+    const ControlPoint on_curve = point_at(point.value, place);
+    point.opacity = on_curve.opacity;
     if (is_same(evaluate_left(before, was.value).color, was.color) ||
         is_same(evaluate_right(before, was.value).color, was.color))
-      point.color = place.color;
+      point.color = on_curve.color;
   }
   /// Between foot and top a point keeps its share of the height.
   void keep_share(const ControlPoint& was, ControlPoint& point, double top) const {
@@ -152,7 +153,7 @@ struct CurveBeneath {
                  floor = evaluate(after, point.value).opacity;
     if (was.opacity >= top || !(top > old_floor)) return;
     const double share = (was.opacity - old_floor) / (top - old_floor);
-    point.opacity = std::clamp(std::lerp(floor, top, share), 0.0, 1.0);
+    point.opacity = point_at(point.value, {point.color, std::lerp(floor, top, share)}).opacity;
   }
 };
 
