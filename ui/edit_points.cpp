@@ -19,11 +19,11 @@ void insert_at(TransferFunction& tf, std::size_t place, std::initializer_list<Co
   tf.points.insert(tf.points.begin() + std::ptrdiff_t(place), points);
 }
 
-bool contains(const Selection& selection, std::size_t i) {
-  return std::binary_search(selection.begin(), selection.end(), i);
-}
-
 }  // namespace
+
+bool is_selected(const Selection& selection, std::size_t point) {
+  return std::binary_search(selection.begin(), selection.end(), point);
+}
 
 ControlPoint point_at(double value, const Classified& curve) {
   const auto tidy = [](double v) { return std::clamp(without_noise(v, std::abs(v)), 0.0, 1.0); };
@@ -95,7 +95,7 @@ std::size_t make_step(TransferFunction& tf, std::size_t point) {
 
 void erase_points(TransferFunction& tf, const Selection& selection) {
   std::size_t i = 0;
-  std::erase_if(tf.points, [&](const ControlPoint&) { return contains(selection, i++); });
+  std::erase_if(tf.points, [&](const ControlPoint&) { return is_selected(selection, i++); });
 }
 
 glm::dvec3 peak_color(std::size_t n) {

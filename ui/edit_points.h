@@ -13,6 +13,7 @@ namespace crest {
 
 /// Indices of control points, ascending.
 using Selection = std::vector<std::size_t>;
+bool is_selected(const Selection& selection, std::size_t point);
 
 /// A point with this colour and opacity, to 15 digits: so that what was calculated reads as a person would
 /// write it.
