@@ -16,7 +16,7 @@ namespace {
 /// "40", "40ms", "2.5".
 double budget_option(const std::string& text) {
   const TypedNumber typed = read_number(text.ends_with("ms") ? text.substr(0, text.size() - 2) : text);
-  if (!typed.number || *typed.number <= 0 || *typed.number > 1e9)
+  if (!typed.number || *typed.number <= 0 || *typed.number >= 1e9)
     throw UsageError("--budget", fmt::format("'{}' is not a frame's time in milliseconds, as in 40", text));
   return *typed.number;
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <utility>
 
 #include "presets/error.h"
@@ -74,7 +75,7 @@ void queue_keys(GLFWwindow* window) {
   });
 }
 
-/// Whether a key only types its character into a field that is open: it needs no frame of its own.
+/// Whether a key only types its character, where a field is open. It needs no frame of its own.
 bool is_text(const KeyEvent& event) {
   const bool printable = event.key >= GLFW_KEY_SPACE && event.key <= GLFW_KEY_GRAVE_ACCENT;
   return printable && (event.mods & ~GLFW_MOD_SHIFT) == 0 && ImGui::GetIO().WantTextInput;
@@ -82,17 +83,28 @@ bool is_text(const KeyEvent& event) {
 
 /// Tells Dear ImGui of the keys: all that went down, up to the first that goes up after it, which waits for
 /// the next frame. So a key that is pressed and released within a slow frame is not lost, nor the Ctrl that
-/// was held with it.
+/// was held with it. Keys of text wait with going up alone, so that a text does not take a frame a letter.
 void tell_keys(GLFWwindow* window, std::deque<KeyEvent>& keys) {
+  std::deque<KeyEvent> ups;
+  std::set<int> text_keys;  // that went down in this frame
   for (bool pressed = false; !keys.empty(); keys.pop_front()) {
     const KeyEvent event = keys.front();
-    if (pressed && event.action == GLFW_RELEASE) break;
-    pressed |= event.action == GLFW_PRESS && !is_text(event);
-    if (event.character != 0)
+    if (event.character != 0) {
       ImGui_ImplGlfw_CharCallback(window, event.character);
-    else
+    } else if (event.action == GLFW_RELEASE && text_keys.contains(event.key)) {
+      ups.push_back(event);
+    } else {
+      if (pressed && event.action == GLFW_RELEASE) break;
+      if (event.action == GLFW_PRESS) {
+        if (is_text(event))
+          text_keys.insert(event.key);
+        else
+          pressed = true;
+      }
       ImGui_ImplGlfw_KeyCallback(window, event.key, event.scancode, event.action, event.mods);
+    }
   }
+  keys.insert(keys.begin(), ups.begin(), ups.end());
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TypedNumber read_plain(std::string_view typed) {
   const auto [stop, fault] = std::from_chars(text.data(), end, number);
   if (stop != end || fault == std::errc::invalid_argument) return refused(typed, "is not a number");
   if (fault == std::errc::result_out_of_range) return refused(typed, "is beyond what a number can be");
-  if (!std::isfinite(number)) return refused(typed, "is not a finite number");
+  if (!std::isfinite(number)) return refused(typed, "is not a number");
   return {number, {}};
 }
 

@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "presets/number_text.h"
+
 namespace crest {
 namespace {
-
-ControlPoint point_at(double value, const Classified& curve) {
-  ControlPoint point;
-  point.value = value;
-  point.color = curve.color;
-  point.opacity = std::clamp(curve.opacity, 0.0, 1.0);
-  return point;
-}
 
 /// The first point above `value`.
 std::size_t place_after(const std::vector<ControlPoint>& points, double value) {
@@ -25,11 +19,20 @@ void insert_at(TransferFunction& tf, std::size_t place, std::initializer_list<Co
   tf.points.insert(tf.points.begin() + std::ptrdiff_t(place), points);
 }
 
-bool contains(const Selection& selection, std::size_t i) {
-  return std::binary_search(selection.begin(), selection.end(), i);
+}  // namespace
+
+bool is_selected(const Selection& selection, std::size_t point) {
+  return std::binary_search(selection.begin(), selection.end(), point);
 }
 
-}  // namespace
+ControlPoint point_at(double value, const Classified& curve) {
+  const auto tidy = [](double v) { return std::clamp(without_noise(v, std::abs(v)), 0.0, 1.0); };
+  ControlPoint point;
+  point.value = value;
+  point.color = {tidy(curve.color.r), tidy(curve.color.g), tidy(curve.color.b)};
+  point.opacity = tidy(curve.opacity);
+  return point;
+}
 
 std::size_t insert_point(TransferFunction& tf, double value, double opacity) {
   ControlPoint point = point_at(value, evaluate(tf, value));
@@ -92,7 +95,7 @@ std::size_t make_step(TransferFunction& tf, std::size_t point) {
 
 void erase_points(TransferFunction& tf, const Selection& selection) {
   std::size_t i = 0;
-  std::erase_if(tf.points, [&](const ControlPoint&) { return contains(selection, i++); });
+  std::erase_if(tf.points, [&](const ControlPoint&) { return is_selected(selection, i++); });
 }
 
 glm::dvec3 peak_color(std::size_t n) {

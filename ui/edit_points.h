@@ -13,6 +13,11 @@ namespace crest {
 
 /// Indices of control points, ascending.
 using Selection = std::vector<std::size_t>;
+bool is_selected(const Selection& selection, std::size_t point);
+
+/// A point with this colour and opacity, to 15 digits: so that what was calculated reads as a person would
+/// write it.
+ControlPoint point_at(double value, const Classified& curve);
 
 /// Puts a point on the curve's colour; behind those that are at `value` already. Returns its index.
 std::size_t insert_point(TransferFunction& tf, double value, double opacity);

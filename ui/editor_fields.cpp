@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/curve_beneath.h"
 #include "ui/number_field.h"
 #include "ui/point_tools.h"
 #include "ui/value_curves.h"

@@ -42,10 +42,6 @@ Moved moved(const TransferFunction& before, const Selection& moving, std::size_t
 /// The values that `anchor` can get before one of `moving` meets a point that does not move.
 ValueRange room_of(const std::vector<ControlPoint>& points, const Selection& moving, std::size_t anchor);
 
-/// After opacities or colours were edited: feet that stood on the curve in `before` stand on the new one, but
-/// for those that were edited themselves. No point may have changed its place.
-void keep_feet_on_curve(TransferFunction& tf, const TransferFunction& before);
-
 /// Sets the distance between a peak's flanks; their points move in proportion, as far as their neighbours.
 /// Feet keep to the curve beneath.
 void set_peak_width(TransferFunction& tf, const Peak& peak, double width);

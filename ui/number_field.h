@@ -12,7 +12,7 @@ namespace crest {
 // Fields for numbers, shown and taken with full precision, as read_edit() reads them. Enter, Tab, a click
 // elsewhere and the keys of WidgetState::take_typed take what was typed; Escape does not. What cannot be
 // taken stays in the field, in red, with the reason under it. `name` is the field's ID (give it "##"); it is
-// noted as an item, and where its text was refused, "NAME/refused" too.
+// noted as an item, where its text was refused as "NAME/refused", and while one types in it as "typing".
 
 /// Opens the field that comes next, to be typed in. What is typed until it is ready is not lost.
 void open_next_field(WidgetState& state, const char* name);
@@ -33,8 +33,7 @@ bool drag_field(WidgetState& state, const char* name, double& value, const Field
 
 /// Several values in a field of this width: the one that they have, or their range.
 std::string numbers_text(std::span<const double> values, float width);
-/// A field for all of them. Each value must stay within the
-/// rule. Returns what is to be done to all of them.
+/// A field for all of them, each of which must stay within the rule. Returns what is to be done to each.
 std::optional<NumberEdit> numbers_field(WidgetState& state, const char* name, std::span<const double> values,
                                         const FieldRule& rule, float width);
 

@@ -219,6 +219,8 @@ bool peaks_panel(Document& document, StudioState& state, const StudioInputs& inp
                        [&](const Peak& peak) { return is_there(tf, peak); });
   ImGuiListClipper clipper;
   clipper.Begin(int(rows.size()));
+  // What is typed in a row is not lost when the row is scrolled away.
+  if (!state.widgets.typed.empty()) clipper.ForceDisplayRangeByIndices(0, int(rows.size()));
   while (clipper.Step())
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
       ImGui::TableNextRow();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/arrange_points.h"
+#include "ui/curve_beneath.h"
 #include "ui/keys.h"
 #include "ui/snap.h"
 #include "ui/widgets.h"
@@ -17,10 +18,6 @@ constexpr double near_flank = 6;     // pixels: a peak whose flanks are nearer t
 constexpr float drag_threshold = 3;  // pixels, before a press becomes a drag
 constexpr double wheel_factor = 1.3;
 constexpr double snap_reach = 5;  // pixels
-
-bool is_selected(const EditorState& editor, std::size_t i) {
-  return std::binary_search(editor.selection.begin(), editor.selection.end(), i);
-}
 
 void toggle(Selection& selection, std::size_t i) {
   const auto place = std::lower_bound(selection.begin(), selection.end(), i);
@@ -56,7 +53,7 @@ bool press_left(TransferFunction& tf, EditorState& editor, const Plot& plot, Val
   if (hit) {
     if (io.KeyCtrl)
       toggle(editor.selection, *hit);
-    else if (!is_selected(editor, *hit))
+    else if (!is_selected(editor.selection, *hit))
       editor.selection = {*hit};
     begin_drag(editor, EditorDrag::Kind::points, tf, plot, whole);
     editor.drag.grabbed = *hit;
@@ -105,8 +102,7 @@ Moved drag_across(EditorState& editor, const Plot& plot, double pixels) {
   const double per_pixel = plot.axis.value_per_pixel();
   const Selection moving = whole_of(before, dragged, near_flank * per_pixel);
   const std::size_t grabbed = editor.drag.grabbed;
-  const std::size_t anchor =
-      std::binary_search(dragged.begin(), dragged.end(), grabbed) ? grabbed : dragged[0];
+  const std::size_t anchor = is_selected(dragged, grabbed) ? grabbed : dragged[0];
   const double to = dragged_to(editor, plot, before.points[anchor].value + pixels * per_pixel, moving);
   return moved(before, moving, anchor, to, editor.neighbours);
 }
@@ -162,7 +158,7 @@ void drag_box(const TransferFunction& tf, EditorState& editor, const Plot& plot)
     const ImVec2 p = plot.place(tf.points[i]);
     const bool inside = p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
                         p.y <= std::max(a.y, b.y);
-    if (inside && !is_selected(editor, i)) toggle(editor.selection, i);
+    if (inside && !is_selected(editor.selection, i)) toggle(editor.selection, i);
   }
 }
 
@@ -232,7 +228,7 @@ bool handle_plot_mouse(TransferFunction& tf, EditorState& editor, const Plot& pl
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
       const ImVec2 mouse = ImGui::GetIO().MousePos;
       const auto hit = point_near(plot, tf.points, mouse);
-      if (hit && !is_selected(editor, *hit)) editor.selection = {*hit};
+      if (hit && !is_selected(editor.selection, *hit)) editor.selection = {*hit};
       if (!hit) editor.selection.clear();
       editor.menu_value = round_to_resolution(plot.axis.value_at(mouse.x), plot.axis.value_per_pixel());
       editor.menu_opacity = round_to_resolution(plot.opacity_at(mouse.y), 0.02 * plot.opacity_at(mouse.y));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ui/curve_beneath.h"
 #include "ui/number_field.h"
 
 namespace crest {
@@ -94,6 +95,8 @@ bool points_panel(TransferFunction& tf, EditorState& editor, WidgetState& widget
   bool changed = false;
   ImGuiListClipper clipper;
   clipper.Begin(int(tf.points.size()));
+  // What is typed in a row is not lost when the row is scrolled away.
+  if (!widgets.typed.empty()) clipper.ForceDisplayRangeByIndices(0, int(tf.points.size()));
   while (clipper.Step())
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
       ImGui::TableNextRow();

@@ -53,14 +53,6 @@ std::vector<ShapeCorner> gaussian_corners() {
   return corners;
 }
 
-ControlPoint point_at(double value, const glm::dvec3& color, double opacity) {
-  ControlPoint point;
-  point.value = value;
-  point.color = color;
-  point.opacity = std::clamp(opacity, 0.0, 1.0);
-  return point;
-}
-
 double opacity_at(OpacityShape shape, double place) {
   switch (shape) {
     case OpacityShape::ramp_up:
@@ -111,8 +103,8 @@ Selection insert_shape(TransferFunction& tf, Shape shape, double value, double o
     const double scale = std::max(std::abs(low), std::abs(high));
     const double at = without_noise(value + corner.place * width, scale);
     const Classified beneath = at < value ? evaluate_right(curve, at) : evaluate_left(curve, at);
-    points.push_back(point_at(at, corner.height > 0 ? color : beneath.color,
-                              std::lerp(beneath.opacity, opacity, corner.height)));
+    points.push_back(point_at(
+        at, {corner.height > 0 ? color : beneath.color, std::lerp(beneath.opacity, opacity, corner.height)}));
   }
   tf.points.insert(tf.points.begin() + std::ptrdiff_t(first), points.begin(), points.end());
   if (shape == Shape::tent) return {first + 1};

@@ -39,7 +39,7 @@ std::optional<double> budget_seconds(const std::string& text) {
   const double unit = text.ends_with('h') ? 3600 : text.ends_with('m') ? 60 : 1;
   const bool has_unit = unit > 1 || text.ends_with('s');
   const TypedNumber typed = read_number(text.substr(0, text.size() - (has_unit ? 1 : 0)));
-  if (!typed.number || *typed.number <= 0 || *typed.number > 1e9)
+  if (!typed.number || *typed.number <= 0 || *typed.number >= 1e9)
     throw UsageError("--budget", fmt::format("'{}' is not a time, as in 90s, 2m or 1h, nor 'none'", text));
   return unit * *typed.number;
 }

@@ -96,8 +96,10 @@ TEST_F(CommandLine, NumbersOfOptions) {
   expect_error(2, render + Words{"--step", "-1"}, {"--step", "-1 is not at least 0.001"});
   for (const char* tiny : {"0", "1e-9", "1e-300"})
     expect_error(2, render + Words{"--step", tiny}, {"--step", "is not at least 0.001"});
-  for (const char* text : {"nan", "inf", "fast", "1,5", "0x10"})
+  for (const char* text : {"nan", "inf", "fast", "0x10"})
     expect_error(2, render + Words{"--step", text}, {"--step", text, "not a number"});
+  expect_error(2, render + Words{"--step", "1,500"}, {"--step", "1,500", "two ways"});
+  expect_error(2, render + Words{"--step", "1/0"}, {"--step", "1/0", "divides by zero"});
   expect_error(2, render + Words{"--step", "1e999"}, {"--step"});
   for (const char* count : {"0", "-1", "1.5", "many"})
     expect_error(2, render + Words{"--frames", count}, {"--frames"});

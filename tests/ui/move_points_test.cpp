@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/ui/harness.h"
+#include "ui/curve_beneath.h"
 
 namespace crest {
 namespace {

@@ -113,6 +113,21 @@ TEST_F(Panels, AllPointsAreEditedInATable) {
   EXPECT_EQ(state->editor.selection, (Selection{1, 3}));
 }
 
+TEST_F(Panels, WhatIsTypedInARowThatIsScrolledAwayIsNotLost) {
+  tf().points.clear();
+  for (int i = 0; i < 200; ++i) tf().points.push_back(points_of({{double(i), 0.1}})[0]);
+  click("tab/Points");
+  click("##point1.opacity");
+  ctrl('A');
+  for (const char c : {'.', '5'}) ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(c));
+  frames(2);
+  for (int i = 0; i < 20; ++i) wheel(-5);
+  EXPECT_TRUE(has("##point150.opacity"));
+  EXPECT_EQ(tf().points[1].opacity, 0.1);
+  click(place_of(5));
+  EXPECT_EQ(tf().points[1].opacity, 0.5);
+}
+
 TEST_F(Panels, ThePeakTableTellsItsCells) {
   const auto [low, high] = state->widgets.items.at("peak table");
   move_to({low.x + 2, low.y + 2});
