@@ -315,7 +315,8 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
   }
   if (io.WantTextInput) return false;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) leave(state.views);
-  for (int i = 0; i < view_count; ++i)
+  // Digits that are meant for a field that is not open yet are none for the views
+  for (int i = 0; i < view_count && state.widgets.ahead.field == 0; ++i)
     if (key_pressed('1' + i)) enlarge(state.views, i);
   if (key_pressed('X')) toggle_exact(state.views);
   if (key_pressed('B')) toggle_error_bound(state.views);
