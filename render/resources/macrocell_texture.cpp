@@ -77,12 +77,20 @@ const Occupancy& occupancy(KeyedCache& held, const ShownParts& parts) {
 /// `shown` is null where nothing is skipped.
 gl::TextureHandle upload(const Macrocells& cells, const Occupancy* shown, bool adaptive,
                          double volume_deviation) {
-  std::vector<std::uint8_t> multiples(cells.count(), 1);
+  std::vector<std::int8_t> multiples(cells.count(), 1);
   if (adaptive) multiples = step_multiples(cells, volume_deviation);
-  for (std::size_t i = 0; shown && i < multiples.size(); ++i)
-    if (!shown->cells[i]) multiples[i] = 0;
-  return upload_3d(cells.dims, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, multiples.data(), GL_NEAREST);
+  if (shown) {
+    const std::vector<std::int8_t> away = distances(shown->cells, cells.dims);
+    for (std::size_t i = 0; i < multiples.size(); ++i)
+      if (!shown->cells[i]) multiples[i] = std::int8_t(-away[i]);
+  }
+  return upload_3d(cells.dims, GL_R8I, GL_RED_INTEGER, GL_BYTE, multiples.data(), GL_NEAREST);
 }
+
+struct BoxesKey : OccupancyKey {
+  using OccupancyKey::OccupancyKey;
+  bool operator==(const BoxesKey&) const = default;
+};
 
 }  // namespace
 
@@ -96,6 +104,20 @@ GLuint macrocell_texture(KeyedCache& held, const ShownParts& shown) {
                   std::sqrt(volume->statistics.variance));
   };
   return held.get(TexelsKey(shown), macrocell_count(*volume), make).id();
+}
+
+std::vector<Box> shown_boxes(KeyedCache& held, const ShownParts& shown) {
+  const Volume& volume = *shown.scene.volume;
+  const auto& boxes = held.get(BoxesKey(shown), macrocell_count(volume), [&] {
+    return occupied_boxes(occupancy(held, shown).cells,
+                          macrocells(held, shown.scene.volume, dvr_filter(shown.scene.rendering)).dims);
+  });
+  const glm::dvec3 size = volume.grid.spacing * double(macrocell_side(volume));
+  std::vector<Box> result;
+  for (const CellBox& cells : boxes)
+    result.push_back({volume.grid.box_min() + size * glm::dvec3(cells.first),
+                      volume.grid.box_min() + size * (glm::dvec3(cells.last) + 1.0)});
+  return result;
 }
 
 }  // namespace crest

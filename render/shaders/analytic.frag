@@ -31,11 +31,13 @@ void march_span(Ray ray, Span span) {
   float slack = slack_of(ray, span), done = span.enter;
   bool more = true;
   Span cells;
-  uint multiple;
-  while (!TERMINATED && next_macrocells(walk, more, cells, multiple)) {
+  int multiple;
+  bool found = next_macrocells(walk, more, cells, multiple);
+  while (found && !TERMINATED) {
     Span part = Span(max(cells.enter - slack, done), min(cells.exit + slack, span.exit));
     done = max(done, part.exit);
     if (part.enter < part.exit) march_cells(ray, part);
+    found = next_macrocells(walk, more, cells, multiple);
   }
 #else
   march_cells(ray, span);

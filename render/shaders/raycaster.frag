@@ -78,13 +78,13 @@ void march_span(Ray ray, Span span, inout int index) {
   float slack = slack_of(ray, span);
   bool more = true;
   Span cells;
-  uint multiple;
+  int multiple;
   int marched = 0;
   while (!TERMINATED && next_macrocells(walk, more, cells, multiple)) {
     int first = max(marched, int(floor(index_at(s, cells.enter - slack))));
     marched = max(marched, min(int(floor(index_at(s, cells.exit + slack))) + 1, s.n));
     if (first >= marched) continue;
-    Sampling sampling = joined(s, first, marched, int(multiple));
+    Sampling sampling = joined(s, first, marched, multiple);
     march_intervals(ray, sampling, 0, interval_total(sampling), index);
     index += interval_total(sampling);
   }
@@ -112,35 +112,39 @@ bool is_gap(Sampling s, float exit, float enter, float slack) {
 #endif
 }
 
-// The intervals of the next run, not before `done`, so that with skipping and without it the same samples are taken.
-// One loop, with little in it: on SIMD hardware all lanes walk until the last one has found its run.
-ivec2 next_run(inout Walk walk, inout bool more, Sampling s, float slack, int done) {
+// The intervals of the run after `run`, so that with skipping and without it the same samples are taken; false where there
+// is none. One loop, with little in it: on SIMD hardware all lanes walk until the last one has found its run.
+bool next_run(inout Walk walk, inout bool more, Sampling s, float slack, inout ivec2 run) {
   const float none = 3.0e38;
   float enter = none, exit = none;
   while (more && (exit == none || !is_gap(s, exit, walk.t, slack))) {
     float t = walk.t;
-    bool occupied = multiple_at(walk) != 0u;
-    more = advance(walk);
-    if (occupied) {
+    int multiple = multiple_at(walk);
+    more = advance(walk, max(-multiple, 1));
+    if (multiple > 0) {
       enter = min(enter, t);
       exit = min(walk.t, walk.end);
     }
   }
-  if (exit == none) return ivec2(done);
+  bool found = exit != none;
   int first = int(floor(index_at(s, enter - slack) + to_sample));
   int last = int(floor(index_at(s, exit + slack) + to_sample)) + intervals_beyond_run;
-  return ivec2(max(first, done), min(last, interval_total(s)));
+  run = found ? ivec2(max(first, run.y), min(last, interval_total(s))) : run.yy;
+  return found;
 }
 
+// On SIMD hardware the last round of a loop, in which no lane has a run any more, costs as much as the others: so the walk
+// to the next run is behind the march.
 void march_span(Ray ray, Span span, inout int index) {
   Sampling s = sample_span(ray, span);
   Walk walk = begin_macrocells(ray, span);
   float slack = slack_of(ray, span);
   bool more = true;
   ivec2 run = ivec2(0);
-  while (more && !TERMINATED) {
-    run = next_run(walk, more, s, slack, run.y);
+  bool found = next_run(walk, more, s, slack, run);
+  while (found && !TERMINATED) {
     march_intervals(ray, s, run.x, run.y, index);
+    found = next_run(walk, more, s, slack, run);
   }
   index += interval_total(s);
 }
