@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <limits>
 
 namespace crest {
@@ -97,46 +96,6 @@ Occupancy either(Occupancy a, const Occupancy& b) {
   for (std::size_t i = 0; i < a.cells.size(); ++i) a.cells[i] |= b.cells[i];
   count_share(a);
   return a;
-}
-
-std::vector<CellBox> occupied_boxes(const std::vector<std::uint8_t>& cells, glm::ivec3 dims) {
-  const glm::ivec3 blocks = (dims + block_side - 1) / block_side;
-  const CellBox nothing{dims, glm::ivec3(-1)};
-  std::vector<CellBox> boxes(std::size_t(blocks.x) * std::size_t(blocks.y) * std::size_t(blocks.z), nothing);
-  const std::uint8_t* cell = cells.data();
-  for (int z = 0; z < dims.z; ++z)
-    for (int y = 0; y < dims.y; ++y) {
-      CellBox* row = &boxes[std::size_t((z / block_side * blocks.y + y / block_side) * blocks.x)];
-      for (int x = 0; x < dims.x; ++x, ++cell) {
-        if (!*cell) continue;
-        CellBox& box = row[x / block_side];
-        box.first = glm::min(box.first, glm::ivec3(x, y, z));
-        box.last = glm::max(box.last, glm::ivec3(x, y, z));
-      }
-    }
-  std::erase_if(boxes, [](const CellBox& box) { return box.last.x < 0; });
-  return boxes;
-}
-
-std::vector<std::int8_t> distances(const std::vector<std::uint8_t>& cells, glm::ivec3 dims) {
-  std::vector<std::int8_t> from(cells.size()), to(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) from[i] = cells[i] ? 0 : greatest_distance;
-  std::size_t stride = 1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int n = dims[axis];
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const int at = int(i / stride) % n;
-      int best = from[i];
-      for (int k = 1; k < best; ++k) {
-        if (at - k >= 0) best = std::min(best, std::max(k, int(from[i - std::size_t(k) * stride])));
-        if (at + k < n) best = std::min(best, std::max(k, int(from[i + std::size_t(k) * stride])));
-      }
-      to[i] = std::int8_t(best);
-    }
-    std::swap(from, to);
-    stride *= std::size_t(n);
-  }
-  return from;
 }
 
 std::vector<std::int8_t> step_multiples(const Macrocells& macrocells, double volume_deviation) {

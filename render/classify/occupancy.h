@@ -28,19 +28,6 @@ Occupancy find_occupancy(const Macrocells& macrocells, const Shown& shown, Value
 /// Marks the macrocells that either of two marks.
 Occupancy either(Occupancy a, const Occupancy& b);
 
-/// A box of cells, from its first to its last one.
-struct CellBox {
-  glm::ivec3 first, last;
-};
-/// Boxes that hold all cells that are not 0: around those in each block of `block_side` along each side.
-inline constexpr int block_side = 4;
-std::vector<CellBox> occupied_boxes(const std::vector<std::uint8_t>& cells, glm::ivec3 dims);
-
-/// How many cells away on the axis on which that is most (Chebyshev's distance) the nearest cell is that is not 0, at most
-/// `greatest_distance`: within a cube of fewer cells about it there is none.
-inline constexpr int greatest_distance = 16;
-std::vector<std::int8_t> distances(const std::vector<std::uint8_t>& cells, glm::ivec3 dims);
-
 /// How many steps are joined in each macrocell (Knoll et al. 2009, section 6.2): M = 2/m + 1, rounded down
 /// and capped, where m is its standard deviation by that of the whole volume.
 inline constexpr int most_joined_steps = 8;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "render/classify/cell_boxes.h"
 #include "render/resources/volume_key.h"
 #include "render/resources/volume_texture.h"
 
@@ -77,14 +78,14 @@ const Occupancy& occupancy(KeyedCache& held, const ShownParts& parts) {
 /// `shown` is null where nothing is skipped.
 gl::TextureHandle upload(const Macrocells& cells, const Occupancy* shown, bool adaptive,
                          double volume_deviation) {
-  std::vector<std::int8_t> multiples(cells.count(), 1);
-  if (adaptive) multiples = step_multiples(cells, volume_deviation);
-  if (shown) {
-    const std::vector<std::int8_t> away = distances(shown->cells, cells.dims);
-    for (std::size_t i = 0; i < multiples.size(); ++i)
-      if (!shown->cells[i]) multiples[i] = std::int8_t(-away[i]);
+  std::vector<std::int8_t> texels(cells.count(), 1);
+  if (shown) texels = distances(shown->cells, cells.dims);
+  if (adaptive) {
+    const std::vector<std::int8_t> multiples = step_multiples(cells, volume_deviation);
+    for (std::size_t i = 0; i < texels.size(); ++i)
+      if (texels[i] > 0) texels[i] = multiples[i];
   }
-  return upload_3d(cells.dims, GL_R8I, GL_RED_INTEGER, GL_BYTE, multiples.data(), GL_NEAREST);
+  return upload_3d(cells.dims, GL_R8I, GL_RED_INTEGER, GL_BYTE, texels.data(), GL_NEAREST);
 }
 
 struct BoxesKey : OccupancyKey {

@@ -3,8 +3,8 @@
 #include "walk.glsl"
 
 #if SKIPPING || ADAPTIVE
-// Of how many steps one is made in a macrocell; or, where nothing in it shows, how many macrocells away the nearest is in
-// which something does, negative.
+// Negative where nothing shows in a macrocell, and for how many around it that is so; else of how many steps one is made
+// there, or without ADAPTIVE, around how many macrocells something shows (resources/macrocell_texture.h).
 uniform isampler3D macrocells;
 uniform vec3 macrocell_size;
 
@@ -14,7 +14,15 @@ float slack_of(Ray ray, Span span) {
   return 1.0e-6 * (max(abs(span.enter), abs(span.exit)) + max(size.x, max(size.y, size.z)));
 }
 
-int multiple_at(Walk walk) { return texelFetch(macrocells, walk.cell, 0).r; }
+int macrocell_at(Walk walk) { return texelFetch(macrocells, walk.cell, 0).r; }
+
+#if ADAPTIVE
+int multiple_of(int macrocell) { return max(macrocell, 0); }
+int reach_of(int macrocell) { return max(-macrocell, 1); }
+#else
+int multiple_of(int macrocell) { return macrocell > 0 ? 1 : 0; }
+int reach_of(int macrocell) { return abs(macrocell); }
+#endif
 
 Walk begin_macrocells(Ray ray, Span span) {
   return begin_walk(ray, span, textureSize(macrocells, 0), macrocell_size);
@@ -23,16 +31,16 @@ Walk begin_macrocells(Ray ray, Span span) {
 // The next span of cells that show something and have the same multiple; false where there is none. `more` is whether the
 // walk has a cell left.
 bool next_macrocells(inout Walk walk, inout bool more, out Span span, out int multiple) {
-  multiple = -1;
+  multiple = 0;
   bool goes_on = more;
   float enter = walk.t;
   while (goes_on) {
-    int here = multiple_at(walk);
-    goes_on = multiple <= 0 || here == multiple;
-    if (multiple <= 0) enter = walk.t;
+    int here = macrocell_at(walk);
+    if (multiple == 0) enter = walk.t;
+    goes_on = multiple == 0 || multiple_of(here) == multiple;
     if (goes_on) {
-      multiple = here;
-      more = goes_on = advance(walk, max(-here, 1));
+      multiple = multiple_of(here);
+      more = goes_on = advance(walk, reach_of(here));
     }
   }
   span = Span(enter, more ? walk.t : walk.end);

@@ -119,9 +119,9 @@ bool next_run(inout Walk walk, inout bool more, Sampling s, float slack, inout i
   float enter = none, exit = none;
   while (more && (exit == none || !is_gap(s, exit, walk.t, slack))) {
     float t = walk.t;
-    int multiple = multiple_at(walk);
-    more = advance(walk, max(-multiple, 1));
-    if (multiple > 0) {
+    int here = macrocell_at(walk);
+    more = advance(walk, reach_of(here));
+    if (here > 0) {
       enter = min(enter, t);
       exit = min(walk.t, walk.end);
     }
