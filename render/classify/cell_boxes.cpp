@@ -18,11 +18,12 @@ class BitGrid {
         slice_(words_ * std::size_t(dims.y)),
         bits_(slice_ * std::size_t(dims.z)) {
     for (std::size_t i = 0; i < cells.size(); ++i)
-      if ((cells[i] != 0) == shown) bits_[i / width_ * words_ + i % width_ / 64] |= Word(1) << (i % width_ % 64);
+      if ((cells[i] != 0) == shown)
+        bits_[i / width_ * words_ + i % width_ / 64] |= Word(1) << (i % width_ % 64);
   }
 
-  /// Sets all cells beside one that is set, across edges and corners, too. Calls visit(cell) for each that was not, and
-  /// tells whether there were any.
+  /// Sets all cells beside one that is set, across edges and corners, too. Calls visit(cell) for each that
+  /// was not, and tells whether there were any.
   template <class Visit>
   bool grow(const Visit& visit) {
     const std::vector<Word> before = bits_;
@@ -48,7 +49,8 @@ class BitGrid {
 
  private:
   /// Each word with those one `stride` before and behind it, in blocks of so many words.
-  static void spread(const std::vector<Word>& from, std::size_t stride, std::size_t block, std::vector<Word>& to) {
+  static void spread(const std::vector<Word>& from, std::size_t stride, std::size_t block,
+                     std::vector<Word>& to) {
     for (std::size_t i = 0; i < from.size(); ++i) {
       const std::size_t at = i % block;
       to[i] = from[i] | (at >= stride ? from[i - stride] : 0) | (at + stride < block ? from[i + stride] : 0);
@@ -82,7 +84,8 @@ std::vector<CellBox> occupied_boxes(const std::vector<std::uint8_t>& cells, glm:
 
 std::vector<std::int8_t> distances(const std::vector<std::uint8_t>& cells, glm::ivec3 dims) {
   std::vector<std::int8_t> result(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) result[i] = cells[i] ? greatest_distance : -greatest_distance;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    result[i] = cells[i] ? greatest_distance : -greatest_distance;
   for (const bool shown : {true, false}) {
     BitGrid near(cells, dims, shown);
     int distance = 1;

@@ -11,7 +11,7 @@
 namespace crest {
 namespace {
 
-/// Pixels along the side of a square that is drawn or left out: llvmpipe shades squares of 4.
+/// Pixels along the side of a square that is drawn or left out: smaller ones take more draws than they save.
 constexpr int side = 16;
 
 /// Where places are seen.
@@ -33,8 +33,8 @@ struct Projection {
   }
 };
 
-/// The box on the picture, a pixel wider all around than it is, for what is rounded; nothing behind the eye, and the whole
-/// picture about it.
+/// The box on the picture, a pixel wider all around than it is, for what is rounded; nothing behind the eye,
+/// and the whole picture about it.
 std::optional<Tile> seen(const Projection& projection, const Box& box) {
   const double nearest = 1e-4 * glm::length(box.max - box.min) + 1e-9 * glm::length(projection.eye - box.min);
   glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
@@ -57,22 +57,27 @@ std::optional<Tile> seen(const Projection& projection, const Box& box) {
 
 }  // namespace
 
-std::vector<Tile> parts_that_meet(const std::vector<Box>& boxes, const Camera& camera, glm::ivec2 size) {
+std::vector<Tile> parts_that_meet(const std::vector<Box>& boxes, const Box& rendered, const Camera& camera,
+                                  glm::ivec2 size, Tile tile) {
   const Projection projection(camera, size);
   const glm::ivec2 squares = (size + side - 1) / side;
   std::vector<std::vector<bool>> drawn(std::size_t(squares.y), std::vector<bool>(std::size_t(squares.x)));
-  for (const Box& box : boxes)
-    if (const auto tile = seen(projection, box))
-      for (int row = tile->begin.y / side; row <= (tile->end.y - 1) / side; ++row)
-        std::fill(drawn[std::size_t(row)].begin() + tile->begin.x / side,
-                  drawn[std::size_t(row)].begin() + (tile->end.x - 1) / side + 1, true);
+  for (const Box& whole : boxes) {
+    const Box box{glm::max(whole.min, rendered.min), glm::min(whole.max, rendered.max)};
+    const auto on_picture = box.is_empty() ? std::nullopt : seen(projection, box);
+    if (!on_picture) continue;
+    const glm::ivec2 first = on_picture->begin / side, last = (on_picture->end - 1) / side;
+    for (int row = first.y; row <= last.y; ++row)
+      std::fill_n(drawn[std::size_t(row)].begin() + first.x, last.x - first.x + 1, true);
+  }
   std::vector<Tile> parts;
   for (int row = 0; row < squares.y; ++row) {
     const auto& here = drawn[std::size_t(row)];
     for (auto begin = std::find(here.begin(), here.end(), true); begin != here.end();) {
       const auto end = std::find(begin, here.end(), false);
       const glm::ivec2 first(int(begin - here.begin()), row), past(int(end - here.begin()), row + 1);
-      parts.push_back({first * side, glm::min(past * side, size)});
+      const Tile part{glm::max(first * side, tile.begin), glm::min(past * side, tile.end)};
+      if (part.begin.x < part.end.x && part.begin.y < part.end.y) parts.push_back(part);
       begin = std::find(end, here.end(), true);
     }
   }
@@ -84,7 +89,8 @@ std::vector<Box> divided(const Box& box) {
   std::vector<Box> boxes;
   for (int i = 0; i < n * n * n; ++i) {
     const glm::dvec3 at(i % n, i / n % n, i / n / n);
-    boxes.push_back({glm::mix(box.min, box.max, at / double(n)), glm::mix(box.min, box.max, (at + 1.0) / double(n))});
+    boxes.push_back(
+        {glm::mix(box.min, box.max, at / double(n)), glm::mix(box.min, box.max, (at + 1.0) / double(n))});
   }
   return boxes;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <glm/common.hpp>
 
 #include "presets/choices.h"
 #include "render/gl/uniforms.h"
@@ -11,9 +10,9 @@
 #include "render/resources/classification.h"
 #include "render/resources/macrocell_texture.h"
 #include "render/scene/camera.h"
-#include "render/volume/clip.h"
 #include "render/shader_inputs/blend_mode.h"
 #include "render/shader_inputs/view_uniforms.h"
+#include "render/volume/clip.h"
 
 namespace crest {
 namespace {
@@ -80,18 +79,9 @@ std::vector<Tile> Raycaster::drawn_parts(const Scene& scene, const Camera& camer
                                          const gl::RenderTarget& target, Tile tile, const Need& needs) {
   if (target.has_counts()) return {tile};
   const Box box = rendered_box(scene.volume->grid, scene.rendering.clip_box);
-  std::vector<Box> boxes;
-  if (needs.needed.skipping) {
-    boxes = shown_boxes(resources_->held, {scene, classification_of(resources_->held, scene), needs.needed, needs.tf_blur});
-    for (Box& part : boxes) part = {glm::max(part.min, box.min), glm::min(part.max, box.max)};
-    std::erase_if(boxes, [](const Box& part) { return part.is_empty(); });
-  } else {
-    boxes = divided(box);
-  }
-  std::vector<Tile> parts = parts_that_meet(boxes, camera, target.size());
-  for (Tile& part : parts) part = {glm::max(part.begin, tile.begin), glm::min(part.end, tile.end)};
-  std::erase_if(parts, [](const Tile& part) { return part.begin.x >= part.end.x || part.begin.y >= part.end.y; });
-  return parts;
+  const ShownParts shown{scene, classification_of(resources_->held, scene), needs.needed, needs.tf_blur};
+  const std::vector<Box> boxes = needs.needed.skipping ? shown_boxes(resources_->held, shown) : divided(box);
+  return parts_that_meet(boxes, box, camera, target.size(), tile);
 }
 
 void Raycaster::draw_passes(const Scene& scene, const Camera& camera, const gl::RenderTarget& target,

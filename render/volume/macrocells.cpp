@@ -58,11 +58,11 @@ int macrocell_side(const Grid& grid, const VolumeStatistics& statistics) {
 }
 
 Macrocells build_macrocells(const Volume& volume, const FieldFilter& filter, int side) {
-  const glm::ivec3 cells = volume.grid.dims - 1, last = volume.grid.dims - 1;
+  const glm::ivec3 last = volume.grid.dims - 1;
   const int around = filter_bounds(filter).radius - 1;
   Macrocells result;
   result.cells = side;
-  result.dims = (cells + side - 1) / side;
+  result.dims = macrocell_dims(volume.grid, side);
   const std::size_t row = std::size_t(result.dims.x), slice = row * std::size_t(result.dims.y);
   const std::size_t count = slice * std::size_t(result.dims.z);
   result.min.assign(count, std::numeric_limits<float>::infinity());

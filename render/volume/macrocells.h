@@ -26,6 +26,9 @@ struct Macrocells {
 /// the same value there is much to skip, and it is 3 and 96 (docs/measured.md).
 int macrocell_side(const Grid& grid, const VolumeStatistics& statistics);
 
+/// Macrocells of this side on each axis.
+inline glm::ivec3 macrocell_dims(const Grid& grid, int side) { return (grid.dims - 2 + side) / side; }
+
 /// O(voxels), on all cores. Voxels without a value do not count: no sample lies in their cells.
 Macrocells build_macrocells(const Volume& volume, const FieldFilter& filter, int side);
 
