@@ -16,18 +16,11 @@ float slack_of(Ray ray, Span span) {
 
 int macrocell_at(Walk walk) { return texelFetch(macrocells, walk.cell, 0).r; }
 
-#if ADAPTIVE
-int multiple_of(int macrocell) { return max(macrocell, 0); }
-int reach_of(int macrocell) { return max(-macrocell, 1); }
-#else
-int multiple_of(int macrocell) { return macrocell > 0 ? 1 : 0; }
-int reach_of(int macrocell) { return abs(macrocell); }
-#endif
-
 Walk begin_macrocells(Ray ray, Span span) {
   return begin_walk(ray, span, textureSize(macrocells, 0), macrocell_size);
 }
 
+#if ADAPTIVE
 // The next span of cells that show something and have the same multiple; false where there is none. `more` is whether the
 // walk has a cell left.
 bool next_macrocells(inout Walk walk, inout bool more, out Span span, out int multiple) {
@@ -37,13 +30,29 @@ bool next_macrocells(inout Walk walk, inout bool more, out Span span, out int mu
   while (goes_on) {
     int here = macrocell_at(walk);
     if (multiple == 0) enter = walk.t;
-    goes_on = multiple == 0 || multiple_of(here) == multiple;
+    goes_on = multiple == 0 || here == multiple;
     if (goes_on) {
-      multiple = multiple_of(here);
-      more = goes_on = advance(walk, reach_of(here));
+      multiple = max(here, 0);
+      more = goes_on = advance(walk, max(-here, 1));
     }
   }
   span = Span(enter, more ? walk.t : walk.end);
   return multiple > 0;
 }
+#else
+// The next span in which something shows, with no gap in it that is `least_gap` long; false where there is none. `more` is
+// whether the walk has a cell left. One loop, with little in it: on SIMD hardware all lanes walk until the last one has
+// found its span.
+bool next_shown(inout Walk walk, inout bool more, float least_gap, out Span span) {
+  const float none = 3.0e38;
+  span = Span(none, none);
+  while (more && (span.exit == none || walk.t < span.exit + least_gap)) {
+    float t = walk.t;
+    int here = macrocell_at(walk);
+    more = advance(walk, abs(here));
+    if (here > 0) span = Span(min(span.enter, t), min(walk.t, walk.end));
+  }
+  return span.exit != none;
+}
+#endif
 #endif
