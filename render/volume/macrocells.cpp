@@ -52,7 +52,7 @@ int macrocell_side(const Grid& grid, const VolumeStatistics& statistics) {
   const auto& bins = statistics.histogram;
   const auto fullest = bins.empty() ? 0 : *std::ranges::max_element(bins);
   const bool is_mostly_background = fullest > std::accumulate(bins.begin(), bins.end(), std::uint64_t(0)) / 2;
-  const int least = is_mostly_background ? 3 : 4, most = is_mostly_background ? 96 : 64;
+  const int least = is_mostly_background ? 2 : 4, most = is_mostly_background ? 96 : 64;
   const int longest = std::max({grid.dims.x, grid.dims.y, grid.dims.z}) - 1;
   return std::max(least, (longest + most - 1) / most);
 }
