@@ -98,12 +98,12 @@ Occupancy either(Occupancy a, const Occupancy& b) {
   return a;
 }
 
-std::vector<std::uint8_t> step_multiples(const Macrocells& macrocells, double volume_deviation) {
-  std::vector<std::uint8_t> multiples(macrocells.count());
+std::vector<std::int8_t> step_multiples(const Macrocells& macrocells, double volume_deviation) {
+  std::vector<std::int8_t> multiples(macrocells.count());
   std::transform(macrocells.deviation.begin(), macrocells.deviation.end(), multiples.begin(),
                  [&](float deviation) {
                    const double inverse = deviation > 0 ? volume_deviation / double(deviation) : 1e9;
-                   return std::uint8_t(std::min(std::floor(2 * inverse + 1), double(most_joined_steps)));
+                   return std::int8_t(std::min(std::floor(2 * inverse + 1), double(most_joined_steps)));
                  });
   return multiples;
 }

@@ -31,6 +31,6 @@ Occupancy either(Occupancy a, const Occupancy& b);
 /// How many steps are joined in each macrocell (Knoll et al. 2009, section 6.2): M = 2/m + 1, rounded down
 /// and capped, where m is its standard deviation by that of the whole volume.
 inline constexpr int most_joined_steps = 8;
-std::vector<std::uint8_t> step_multiples(const Macrocells& macrocells, double volume_deviation);
+std::vector<std::int8_t> step_multiples(const Macrocells& macrocells, double volume_deviation);
 
 }  // namespace crest

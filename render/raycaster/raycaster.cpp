@@ -6,11 +6,13 @@
 #include "presets/choices.h"
 #include "render/gl/uniforms.h"
 #include "render/raycaster/bindings.h"
+#include "render/raycaster/drawn_parts.h"
 #include "render/resources/classification.h"
 #include "render/resources/macrocell_texture.h"
 #include "render/scene/camera.h"
 #include "render/shader_inputs/blend_mode.h"
 #include "render/shader_inputs/view_uniforms.h"
+#include "render/volume/clip.h"
 
 namespace crest {
 namespace {
@@ -63,16 +65,27 @@ void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget&
   glViewport(0, 0, target.size().x, target.size().y);
   glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
   glEnable(GL_SCISSOR_TEST);
-  if (needs.is_empty())
-    clear(target);
-  else
-    draw_passes(scene, camera, target, needs, after_pass);
-  if (needs.is_empty() && after_pass) after_pass(0);
+  clear(target);
+  if (needs.is_empty()) {
+    if (after_pass) after_pass(0);
+  } else {
+    draw_passes(scene, camera, target, tile, needs, after_pass);
+  }
   glDisable(GL_SCISSOR_TEST);
 }
 
+// Where nothing can be met nothing is drawn, but where costs are counted.
+std::vector<Tile> Raycaster::drawn_parts(const Scene& scene, const Camera& camera,
+                                         const gl::RenderTarget& target, Tile tile, const Need& needs) {
+  if (target.has_counts()) return {tile};
+  const Box box = rendered_box(scene.volume->grid, scene.rendering.clip_box);
+  const ShownParts shown{scene, classification_of(resources_->held, scene), needs.needed, needs.tf_blur};
+  const std::vector<Box> boxes = needs.needed.skipping ? shown_boxes(resources_->held, shown) : divided(box);
+  return parts_that_meet(boxes, box, camera, target.size(), tile);
+}
+
 void Raycaster::draw_passes(const Scene& scene, const Camera& camera, const gl::RenderTarget& target,
-                            const Need& needs, const std::function<void(int pass)>& after_pass) {
+                            Tile tile, const Need& needs, const std::function<void(int pass)>& after_pass) {
   const GLuint id = resources_->programs.program("fullscreen.vert", fragment_shader(needs.features),
                                                  shader_defines(needs.features));
   bind_scene(resources_->held, scene, classification_of(resources_->held, scene), needs, id);
@@ -83,11 +96,15 @@ void Raycaster::draw_passes(const Scene& scene, const Camera& camera, const gl::
   set_blending(needs.features.blend_mode, false);
   glBindVertexArray(vertex_array_.id());
   glUseProgram(id);
+  const std::vector<Tile> parts = drawn_parts(scene, camera, target, tile, needs);
   for (int pass = 0; pass < needs.passes(); ++pass) {
     set(id, "first_interval", pass * needs.intervals_per_pass);
     set(id, "interval_count", needs.intervals_per_pass);
     if (pass == 1) glEnablei(GL_BLEND, 0);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    for (const Tile& part : parts) {
+      glScissor(part.begin.x, part.begin.y, part.end.x - part.begin.x, part.end.y - part.begin.y);
+      glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
     if (after_pass) after_pass(pass);
   }
   glDisable(GL_BLEND);

@@ -53,7 +53,9 @@ class Raycaster {
   Need find_need(const Scene& scene, const Camera& camera, glm::ivec2 size, bool statistics);
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile, const Need& needs,
             const std::function<void(int pass)>& after_pass);
-  void draw_passes(const Scene& scene, const Camera& camera, const gl::RenderTarget& target,
+  std::vector<Tile> drawn_parts(const Scene& scene, const Camera& camera, const gl::RenderTarget& target,
+                                Tile tile, const Need& needs);
+  void draw_passes(const Scene& scene, const Camera& camera, const gl::RenderTarget& target, Tile tile,
                    const Need& needs, const std::function<void(int pass)>& after_pass);
 
   std::shared_ptr<Resources> resources_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "render/classify/cell_boxes.h"
 #include "render/resources/volume_key.h"
 #include "render/resources/volume_texture.h"
 
@@ -32,22 +33,29 @@ struct OccupancyKey : VolumeKey {
   bool operator==(const OccupancyKey&) const = default;
 };
 
-struct TexelsKey : VolumeKey {
-  explicit TexelsKey(const ShownParts& shown)
-      : VolumeKey(shown.scene.volume),
-        dvr_filter(crest::dvr_filter(shown.scene.rendering)),
-        adaptive(shown.features.adaptive) {
-    if (shown.features.skipping) occupancy.emplace(shown);
+/// What is made of an occupancy is the same wherever its cells are: most edits of a TF change none.
+struct CellsKey : VolumeKey {
+  CellsKey(const std::shared_ptr<const Volume>& volume, std::shared_ptr<const Occupancy> shown)
+      : VolumeKey(volume), occupancy(std::move(shown)) {}
+  std::shared_ptr<const Occupancy> occupancy;  ///< null where nothing is skipped
+  bool operator==(const CellsKey& other) const {
+    return VolumeKey::operator==(other) && bool(occupancy) == bool(other.occupancy) &&
+           (!occupancy || occupancy->cells == other.occupancy->cells);
   }
+};
+
+struct TexelsKey : CellsKey {
+  TexelsKey(const ShownParts& shown, std::shared_ptr<const Occupancy> occupied)
+      : CellsKey(shown.scene.volume, std::move(occupied)),
+        dvr_filter(crest::dvr_filter(shown.scene.rendering)),
+        adaptive(shown.features.adaptive) {}
   FieldFilter dvr_filter;
   bool adaptive;
-  std::optional<OccupancyKey> occupancy;
   bool operator==(const TexelsKey&) const = default;
 };
 
 std::size_t macrocell_count(const Volume& volume) {
-  const int side = macrocell_side(volume);
-  const glm::ivec3 dims = (volume.grid.dims - 2 + side) / side;
+  const glm::ivec3 dims = macrocell_dims(volume.grid, macrocell_side(volume));
   return std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(dims.z);
 }
 
@@ -57,10 +65,13 @@ const Macrocells& macrocells(KeyedCache& held, const std::shared_ptr<const Volum
                   [&] { return build_macrocells(*volume, filter, macrocell_side(*volume)); });
 }
 
-const Occupancy& occupancy(KeyedCache& held, const ShownParts& parts) {
+using SharedOccupancy = std::shared_ptr<const Occupancy>;
+
+const SharedOccupancy& occupancy(KeyedCache& held, const ShownParts& parts) {
   const auto& volume = parts.scene.volume;
   const OccupancyKey key(parts);
   return held.get(key, macrocell_count(*volume), [&] {
+    const auto shared = [](Occupancy found) { return std::make_shared<const Occupancy>(std::move(found)); };
     const auto shown_in = [&](const FieldFilter& filter, const Shown& shown) {
       return find_occupancy(macrocells(held, volume, filter), shown,
                             field_range(filter, volume->statistics.range));
@@ -68,34 +79,54 @@ const Occupancy& occupancy(KeyedCache& held, const ShownParts& parts) {
     const TransferFunction* tf = key.tf ? &*key.tf : nullptr;
     const std::vector<Peak>* surfaces = key.surfaces ? &*key.surfaces : nullptr;
     if (key.dvr_filter == key.root_filter || !surfaces)
-      return shown_in(key.dvr_filter, {tf, key.blur, surfaces});
-    return either(shown_in(key.dvr_filter, {tf, key.blur, nullptr}),
-                  shown_in(key.root_filter, {nullptr, {}, surfaces}));
+      return shared(shown_in(key.dvr_filter, {tf, key.blur, surfaces}));
+    return shared(either(shown_in(key.dvr_filter, {tf, key.blur, nullptr}),
+                         shown_in(key.root_filter, {nullptr, {}, surfaces})));
   });
 }
 
 /// `shown` is null where nothing is skipped.
 gl::TextureHandle upload(const Macrocells& cells, const Occupancy* shown, bool adaptive,
                          double volume_deviation) {
-  std::vector<std::uint8_t> multiples(cells.count(), 1);
-  if (adaptive) multiples = step_multiples(cells, volume_deviation);
-  for (std::size_t i = 0; shown && i < multiples.size(); ++i)
-    if (!shown->cells[i]) multiples[i] = 0;
-  return upload_3d(cells.dims, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, multiples.data(), GL_NEAREST);
+  std::vector<std::int8_t> texels(cells.count(), 1);
+  if (shown) texels = distances(shown->cells, cells.dims);
+  if (adaptive) {
+    const std::vector<std::int8_t> multiples = step_multiples(cells, volume_deviation);
+    for (std::size_t i = 0; i < texels.size(); ++i)
+      if (texels[i] > 0) texels[i] = multiples[i];
+  }
+  return upload_3d(cells.dims, GL_R8I, GL_RED_INTEGER, GL_BYTE, texels.data(), GL_NEAREST);
 }
 
 }  // namespace
 
-double occupied_share(KeyedCache& held, const ShownParts& shown) { return occupancy(held, shown).share; }
+double occupied_share(KeyedCache& held, const ShownParts& shown) { return occupancy(held, shown)->share; }
 
 GLuint macrocell_texture(KeyedCache& held, const ShownParts& shown) {
   const auto& volume = shown.scene.volume;
-  const auto make = [&] {
-    return upload(macrocells(held, volume, dvr_filter(shown.scene.rendering)),
-                  shown.features.skipping ? &occupancy(held, shown) : nullptr, shown.features.adaptive,
-                  std::sqrt(volume->statistics.variance));
-  };
-  return held.get(TexelsKey(shown), macrocell_count(*volume), make).id();
+  const SharedOccupancy occupied = shown.features.skipping ? occupancy(held, shown) : nullptr;
+  return held
+      .get(TexelsKey(shown, occupied), macrocell_count(*volume),
+           [&] {
+             return upload(macrocells(held, volume, dvr_filter(shown.scene.rendering)), occupied.get(),
+                           shown.features.adaptive, std::sqrt(volume->statistics.variance));
+           })
+      .id();
+}
+
+const std::vector<Box>& shown_boxes(KeyedCache& held, const ShownParts& shown) {
+  const auto& volume = shown.scene.volume;
+  const SharedOccupancy& occupied = occupancy(held, shown);
+  return held.get(CellsKey(volume, occupied), macrocell_count(*volume), [&] {
+    const Grid& grid = volume->grid;
+    const int side = macrocell_side(*volume);
+    const glm::dvec3 size = grid.spacing * double(side);
+    std::vector<Box> boxes;
+    for (const CellBox& cells : occupied_boxes(occupied->cells, macrocell_dims(grid, side)))
+      boxes.push_back({grid.box_min() + size * glm::dvec3(cells.first),
+                       grid.box_min() + size * (glm::dvec3(cells.last) + 1.0)});
+    return boxes;
+  });
 }
 
 }  // namespace crest

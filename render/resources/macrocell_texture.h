@@ -6,6 +6,7 @@
 #include "render/resources/keyed_cache.h"
 #include "render/scene/scene.h"
 #include "render/shader_inputs/features.h"
+#include "render/volume/clip.h"
 
 namespace crest {
 
@@ -21,9 +22,14 @@ struct ShownParts {
 /// which of them show something, by what is shown.
 double occupied_share(KeyedCache& held, const ShownParts& shown);
 
-/// For features.skipping and features.adaptive: a texel (R8UI) a macrocell. It is how many steps are joined
-/// into one, or 0 where features.skipping and nothing in it shows.
+/// For features.skipping and features.adaptive: a texel (R8I) a macrocell. Where features.skipping, it is how
+/// far away the nearest one of the other kind is, negative where nothing in it shows (`distances` in
+/// classify/cell_boxes.h); where features.adaptive and it is not negative, how many steps are joined into
+/// one.
 GLuint macrocell_texture(KeyedCache& held, const ShownParts& shown);
+
+/// Boxes in world units that hold all macrocells in which something may show.
+const std::vector<Box>& shown_boxes(KeyedCache& held, const ShownParts& shown);
 
 /// The side of a macrocell, in cells of the grid.
 inline int macrocell_side(const Volume& volume) { return macrocell_side(volume.grid, volume.statistics); }

@@ -30,17 +30,21 @@ uniform float least_residual;
 
 #include "march_cells.glsl"
 
+// To take up a march costs some cells: over a gap of this many smallest spacings it goes on.
+const float least_gap = 10.0;
+
 void march_span(Ray ray, Span span) {
 #if SKIPPING
   Walk walk = begin_macrocells(ray, span);
   float slack = slack_of(ray, span), done = span.enter;
   bool more = true;
-  Span cells;
-  uint multiple;
-  while (!TERMINATED && next_macrocells(walk, more, cells, multiple)) {
-    Span part = Span(max(cells.enter - slack, done), min(cells.exit + slack, span.exit));
+  Span shown;
+  bool found = next_shown(walk, more, least_gap, shown);
+  while (found && !TERMINATED) {
+    Span part = Span(max(shown.enter - slack, done), min(shown.exit + slack, span.exit));
     done = max(done, part.exit);
     if (part.enter < part.exit) march_cells(ray, part);
+    found = next_shown(walk, more, least_gap, shown);
   }
 #else
   march_cells(ray, span);

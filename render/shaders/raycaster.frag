@@ -86,20 +86,20 @@ void march_span(Ray ray, Span span, inout int index) {
   float slack = slack_of(ray, span);
   bool more = true;
   Span cells;
-  uint multiple;
+  int multiple;
   int marched = 0;
   while (!TERMINATED && next_macrocells(walk, more, cells, multiple)) {
     int first = max(marched, int(floor(index_at(s, cells.enter - slack))));
     marched = max(marched, min(int(floor(index_at(s, cells.exit + slack))) + 1, s.n));
     if (first >= marched) continue;
-    Sampling sampling = joined(s, first, marched, int(multiple));
+    Sampling sampling = joined(s, first, marched, multiple);
     march_intervals(ray, sampling, 0, interval_total(sampling), index);
     index += interval_total(sampling);
   }
 }
 #elif SKIPPING
 // To take up a march costs some samples: over a gap of fewer it goes on.
-const int least_gap = 8;
+const float least_gap = 8.0;
 
 // A sample in a cell where nothing shows has no opacity, so a run begins with the first interval that reaches into an
 // occupied cell. Where the segments vary, a sample is only nearly in the middle of its own: there it begins one early.
@@ -111,44 +111,27 @@ const float to_sample = 0.5;
 const int intervals_beyond_run = INTERVALS_BEYOND_SEGMENTS;
 #endif
 
-// Whether so much lies between two places of a ray that a new run begins.
-bool is_gap(Sampling s, float exit, float enter, float slack) {
-#if VARYING_STEPS
-  return index_at(s, enter - slack) >= index_at(s, exit + slack) + float(least_gap);
-#else
-  return enter >= exit + (float(least_gap) * s.dt + 2.0 * slack);
-#endif
-}
-
-// The intervals of the next run, not before `done`, so that with skipping and without it the same samples are taken.
-// One loop, with little in it: on SIMD hardware all lanes walk until the last one has found its run.
-ivec2 next_run(inout Walk walk, inout bool more, Sampling s, float slack, int done) {
-  const float none = 3.0e38;
-  float enter = none, exit = none;
-  while (more && (exit == none || !is_gap(s, exit, walk.t, slack))) {
-    float t = walk.t;
-    bool occupied = multiple_at(walk) != 0u;
-    more = advance(walk);
-    if (occupied) {
-      enter = min(enter, t);
-      exit = min(walk.t, walk.end);
-    }
-  }
-  if (exit == none) return ivec2(done);
-  int first = int(floor(index_at(s, enter - slack) + to_sample));
-  int last = int(floor(index_at(s, exit + slack) + to_sample)) + intervals_beyond_run;
+// The intervals that meet a span, not before `done`, so that with skipping and without it the same samples are taken.
+ivec2 run_of(Sampling s, Span shown, float slack, int done) {
+  int first = int(floor(index_at(s, shown.enter - slack) + to_sample));
+  int last = int(floor(index_at(s, shown.exit + slack) + to_sample)) + intervals_beyond_run;
   return ivec2(max(first, done), min(last, interval_total(s)));
 }
 
+// The walk to the next run is behind the march: in the last round of a loop, in which no lane has a run any more, SIMD
+// hardware does it all once more.
 void march_span(Ray ray, Span span, inout int index) {
   Sampling s = sample_span(ray, span);
   Walk walk = begin_macrocells(ray, span);
-  float slack = slack_of(ray, span);
+  float slack = slack_of(ray, span), gap = least_gap * (s.end - s.begin) / float(max(s.n, 1)) + 2.0 * slack;
   bool more = true;
+  Span shown;
   ivec2 run = ivec2(0);
-  while (more && !TERMINATED) {
-    run = next_run(walk, more, s, slack, run.y);
+  bool found = next_shown(walk, more, gap, shown);
+  while (found && !TERMINATED) {
+    run = run_of(s, shown, slack, run.y);
     march_intervals(ray, s, run.x, run.y, index);
+    found = next_shown(walk, more, gap, shown);
   }
   index += interval_total(s);
 }

@@ -52,17 +52,17 @@ int macrocell_side(const Grid& grid, const VolumeStatistics& statistics) {
   const auto& bins = statistics.histogram;
   const auto fullest = bins.empty() ? 0 : *std::ranges::max_element(bins);
   const bool is_mostly_background = fullest > std::accumulate(bins.begin(), bins.end(), std::uint64_t(0)) / 2;
-  const int least = is_mostly_background ? 3 : 4, most = is_mostly_background ? 96 : 64;
+  const int least = is_mostly_background ? 2 : 4, most = is_mostly_background ? 96 : 64;
   const int longest = std::max({grid.dims.x, grid.dims.y, grid.dims.z}) - 1;
   return std::max(least, (longest + most - 1) / most);
 }
 
 Macrocells build_macrocells(const Volume& volume, const FieldFilter& filter, int side) {
-  const glm::ivec3 cells = volume.grid.dims - 1, last = volume.grid.dims - 1;
+  const glm::ivec3 last = volume.grid.dims - 1;
   const int around = filter_bounds(filter).radius - 1;
   Macrocells result;
   result.cells = side;
-  result.dims = (cells + side - 1) / side;
+  result.dims = macrocell_dims(volume.grid, side);
   const std::size_t row = std::size_t(result.dims.x), slice = row * std::size_t(result.dims.y);
   const std::size_t count = slice * std::size_t(result.dims.z);
   result.min.assign(count, std::numeric_limits<float>::infinity());

@@ -23,8 +23,11 @@ struct Macrocells {
 
 /// Cells along the side of a macrocell: as small as pays, since a walk through them costs some samples a
 /// macrocell. At least 4 and at most 64 on the longest axis, as in the paper; where most voxels have nearly
-/// the same value there is much to skip, and it is 3 and 96 (docs/measured.md).
+/// the same value there is much to skip, and it is 2 and 96 (docs/measured.md).
 int macrocell_side(const Grid& grid, const VolumeStatistics& statistics);
+
+/// Macrocells of this side on each axis.
+inline glm::ivec3 macrocell_dims(const Grid& grid, int side) { return (grid.dims - 2 + side) / side; }
 
 /// O(voxels), on all cores. Voxels without a value do not count: no sample lies in their cells.
 Macrocells build_macrocells(const Volume& volume, const FieldFilter& filter, int side);

@@ -94,7 +94,7 @@ TEST(Occupancy, HoldsForConstantFieldsAndCellsWithoutAValue) {
 TEST(StepMultiples, AreThePapers) {
   Macrocells cells = cells_of(std::vector<ValueRange>(6));
   cells.deviation = {4, 2, 1, 0.5, 0.25, 0};
-  EXPECT_EQ(step_multiples(cells, 1), (std::vector<std::uint8_t>{1, 2, 3, 5, 8, 8}));
+  EXPECT_EQ(step_multiples(cells, 1), (std::vector<std::int8_t>{1, 2, 3, 5, 8, 8}));
 }
 
 }  // namespace

@@ -1,0 +1,98 @@
+#include "render/raycaster/drawn_parts.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+
+#include "render/scene/camera.h"
+
+namespace crest {
+namespace {
+
+/// Pixels along the side of a square that is drawn or left out: smaller ones take more draws than they save.
+constexpr int side = 16;
+
+/// Where places are seen.
+struct Projection {
+  CameraFrame frame;
+  glm::dvec3 eye;
+  glm::dvec2 slopes, size;  ///< of the rays at the picture's right and upper edges; in pixels
+
+  Projection(const Camera& camera, glm::ivec2 pixels)
+      : frame(camera_frame(camera)), eye(camera.eye), size(pixels) {
+    slopes = half_height(camera) * glm::dvec2(aspect_of(pixels), 1);
+  }
+  /// Pixel x and y, and how far before the eye.
+  glm::dvec3 operator()(glm::dvec3 place) const {
+    const glm::dvec3 p = place - eye;
+    const double depth = glm::dot(p, frame.w);
+    const glm::dvec2 across = glm::dvec2(glm::dot(p, frame.u), -glm::dot(p, frame.v)) / (depth * slopes);
+    return {0.5 * (across + 1.0) * size, depth};
+  }
+};
+
+/// The box on the picture, a pixel wider all around than it is, for what is rounded; nothing behind the eye,
+/// and the whole picture about it.
+std::optional<Tile> seen(const Projection& projection, const Box& box) {
+  const double nearest = 1e-4 * glm::length(box.max - box.min) + 1e-9 * glm::length(projection.eye - box.min);
+  glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
+  int before = 0, behind = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 p =
+        projection(glm::mix(box.min, box.max, glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2)));
+    before += p.z >= nearest;
+    behind += p.z < -nearest;
+    low = glm::min(low, glm::dvec2(p));
+    high = glm::max(high, glm::dvec2(p));
+  }
+  if (behind == 8) return {};
+  if (before < 8) return Tile{{0, 0}, glm::ivec2(projection.size)};
+  const Tile tile{glm::ivec2(glm::clamp(low - 1.0, glm::dvec2(0), projection.size)),
+                  glm::ivec2(glm::clamp(high + 2.0, glm::dvec2(0), projection.size))};
+  if (tile.begin.x >= tile.end.x || tile.begin.y >= tile.end.y) return {};
+  return tile;
+}
+
+}  // namespace
+
+std::vector<Tile> parts_that_meet(const std::vector<Box>& boxes, const Box& rendered, const Camera& camera,
+                                  glm::ivec2 size, Tile tile) {
+  const Projection projection(camera, size);
+  const glm::ivec2 squares = (size + side - 1) / side;
+  std::vector<std::vector<bool>> drawn(std::size_t(squares.y), std::vector<bool>(std::size_t(squares.x)));
+  for (const Box& whole : boxes) {
+    const Box box{glm::max(whole.min, rendered.min), glm::min(whole.max, rendered.max)};
+    const auto on_picture = box.is_empty() ? std::nullopt : seen(projection, box);
+    if (!on_picture) continue;
+    const glm::ivec2 first = on_picture->begin / side, last = (on_picture->end - 1) / side;
+    for (int row = first.y; row <= last.y; ++row)
+      std::fill_n(drawn[std::size_t(row)].begin() + first.x, last.x - first.x + 1, true);
+  }
+  std::vector<Tile> parts;
+  for (int row = 0; row < squares.y; ++row) {
+    const auto& here = drawn[std::size_t(row)];
+    for (auto begin = std::find(here.begin(), here.end(), true); begin != here.end();) {
+      const auto end = std::find(begin, here.end(), false);
+      const glm::ivec2 first(int(begin - here.begin()), row), past(int(end - here.begin()), row + 1);
+      const Tile part{glm::max(first * side, tile.begin), glm::min(past * side, tile.end)};
+      if (part.begin.x < part.end.x && part.begin.y < part.end.y) parts.push_back(part);
+      begin = std::find(end, here.end(), true);
+    }
+  }
+  return parts;
+}
+
+std::vector<Box> divided(const Box& box) {
+  constexpr int n = 8;
+  std::vector<Box> boxes;
+  for (int i = 0; i < n * n * n; ++i) {
+    const glm::dvec3 at(i % n, i / n % n, i / n / n);
+    boxes.push_back(
+        {glm::mix(box.min, box.max, at / double(n)), glm::mix(box.min, box.max, (at + 1.0) / double(n))});
+  }
+  return boxes;
+}
+
+}  // namespace crest

@@ -1,0 +1,82 @@
+#include "render/raycaster/drawn_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "render/scene/camera.h"
+
+namespace crest {
+namespace {
+
+/// Whether the ray of a pixel meets the box before the eye.
+bool meets(const Camera& camera, glm::ivec2 size, glm::ivec2 pixel, const Box& box) {
+  const CameraFrame frame = camera_frame(camera);
+  const glm::dvec2 plane = (2.0 * (glm::dvec2(pixel) + 0.5) / glm::dvec2(size) - 1.0) * glm::dvec2(1, -1) *
+                           half_height(camera) * glm::dvec2(aspect_of(size), 1);
+  const glm::dvec3 direction = frame.w + plane.x * frame.u + plane.y * frame.v;
+  const glm::dvec3 a = (box.min - camera.eye) / direction, b = (box.max - camera.eye) / direction;
+  const glm::dvec3 in = glm::min(a, b), out = glm::max(a, b);
+  return std::max({in.x, in.y, in.z, 0.0}) <= std::min({out.x, out.y, out.z});
+}
+
+// Eyes outside and inside, near faces and far away.
+TEST(DrawnParts, HoldEveryRayThatMeetsABoxOnce) {
+  std::mt19937 random(5);
+  const auto unit = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
+  const auto vector = [&] {
+    const double x = unit(), y = unit(), z = unit();
+    return glm::dvec3(x, y, z);
+  };
+  const glm::ivec2 size(75, 41);
+  const Tile tile{{5, 0}, {75, 38}};
+  int left_out = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    Camera camera;
+    camera.eye = 0.5 + (vector() - 0.5) * (trial % 3 == 0 ? 1.0 : trial % 3 == 1 ? 4.0 : 1e3);
+    camera.target = vector();
+    camera.fov_y_degrees = trial % 3 == 2 ? 0.1 : 10 + 80 * unit();
+    std::vector<Box> boxes;
+    const glm::dvec3 least = 0.3 * vector();
+    const Box rendered{least, least + 0.6};
+    for (int i = 0; i < 4; ++i) {
+      const glm::dvec3 low = vector();
+      boxes.push_back({low, low + 0.2 * vector()});
+    }
+    const auto parts = parts_that_meet(boxes, rendered, camera, size, tile);
+    for (int y = tile.begin.y; y < tile.end.y; ++y)
+      for (int x = tile.begin.x; x < tile.end.x; ++x) {
+        int held = 0;
+        for (const Tile& part : parts)
+          held += x >= part.begin.x && x < part.end.x && y >= part.begin.y && y < part.end.y;
+        bool met = false;
+        for (const Box& box : boxes) {
+          const Box within{glm::max(box.min, rendered.min), glm::min(box.max, rendered.max)};
+          met |= !within.is_empty() && meets(camera, size, {x, y}, within);
+        }
+        ASSERT_LE(held, 1);
+        ASSERT_GE(held, int(met)) << trial << ": " << x << ", " << y;
+        left_out += held == 0;
+      }
+  }
+  EXPECT_GT(left_out, 300 * size.x * size.y / 4);
+}
+
+TEST(DrawnParts, FollowTheOutlineOfADividedBox) {
+  const Box box{glm::dvec3(-1), glm::dvec3(1)};
+  Camera camera;
+  camera.eye = {2.9, -5.2, 2.6};
+  camera.fov_y_degrees = 30;
+  const glm::ivec2 size(512);
+  int drawn = 0, met = 0;
+  for (const Tile& part : parts_that_meet(divided(box), box, camera, size, {{0, 0}, size}))
+    drawn += (part.end.x - part.begin.x) * (part.end.y - part.begin.y);
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) met += meets(camera, size, {x, y}, box);
+  EXPECT_LT(drawn, 1.25 * met);
+}
+
+}  // namespace
+}  // namespace crest
