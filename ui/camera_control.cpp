@@ -56,6 +56,20 @@ Camera orbit(const Camera& camera, double yaw, double pitch) {
   return result;
 }
 
+Camera look_along(const Camera& camera, glm::dvec3 direction) {
+  Camera result = camera;
+  result.eye = camera.target - direction * basis_of(camera).distance;
+  result.up = std::abs(direction.z) > 0.5 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
+  return result;
+}
+
+Camera roll(const Camera& camera, double radians) {
+  const Basis b = basis_of(camera);
+  Camera result = camera;
+  result.up = b.up * std::cos(radians) - b.right * std::sin(radians);
+  return result;
+}
+
 Camera pan(const Camera& camera, glm::dvec2 share_of_height) {
   const Basis b = basis_of(camera);
   const double height = 2 * half_height(camera) * b.distance;

@@ -13,6 +13,13 @@ namespace crest {
 /// (or away from) it, in radians. It stops just short of the poles, so that up never flips.
 Camera orbit(const Camera& camera, double yaw, double pitch);
 
+/// Looks at the same target from as far away, along a direction of length 1; z is up, or y where it looks
+/// along z.
+Camera look_along(const Camera& camera, glm::dvec3 direction);
+
+/// Turned about the line of sight, clockwise as the person sees the picture turn for a positive angle.
+Camera roll(const Camera& camera, double radians);
+
 /// Moves eye and target across the view, by a share of the view's height at the target's distance:
 /// (0, 1) moves the picture up by the whole height.
 Camera pan(const Camera& camera, glm::dvec2 share_of_height);

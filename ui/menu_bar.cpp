@@ -4,12 +4,16 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <numbers>
 #include <string_view>
 #include <utility>
 
 #include "presets/exchange/color_maps.h"
 #include "presets/names.h"
+#include "render/scene/camera.h"
 #include "render/volume/builtin.h"
+#include "ui/camera_control.h"
 #include "ui/comparison_view.h"
 #include "ui/keys.h"
 #include "ui/mode_text.h"
@@ -170,6 +174,31 @@ bool reset_view(Document& document, StudioState& state) {
   return changed;
 }
 
+/// Along an axis, or turned about the line of sight.
+bool camera_menu(Document& document, StudioState& state, const StudioInputs& inputs) {
+  if (!menu(state, "Look along")) return false;
+  const glm::ivec2 shown = glm::max(state.picture_dialog.as_shown, glm::ivec2(1));
+  const auto move = [&](const char* text, auto&& changed) {
+    if (!item(state, text, nullptr, inputs.volume != nullptr)) return false;
+    document.preset.camera = changed(camera_of(document.preset, inputs.volume->grid, aspect_of(shown)));
+    return true;
+  };
+  bool changed = false;
+  for (const auto& [text, direction] : {std::pair{"+X", glm::dvec3(1, 0, 0)},
+                                        {"-X", glm::dvec3(-1, 0, 0)},
+                                        {"+Y", glm::dvec3(0, 1, 0)},
+                                        {"-Y", glm::dvec3(0, -1, 0)},
+                                        {"+Z", glm::dvec3(0, 0, 1)},
+                                        {"-Z", glm::dvec3(0, 0, -1)}})
+    changed |= move(text, [&, to = direction](const Camera& camera) { return look_along(camera, to); });
+  ImGui::Separator();
+  constexpr double quarter = std::numbers::pi / 2;
+  changed |= move("Roll to the right", [](const Camera& camera) { return roll(camera, quarter); });
+  changed |= move("Roll to the left", [](const Camera& camera) { return roll(camera, -quarter); });
+  ImGui::EndMenu();
+  return changed;
+}
+
 void toggle_exact(ViewsState& views) {
   views.exact = !views.exact;
   views.error_bound = false;
@@ -201,6 +230,7 @@ bool view_menu(Document& document, StudioState& state, const StudioInputs& input
   if (item(state, "Save a picture...", "Ctrl+P", inputs.volume != nullptr)) state.picture_dialog.asked = true;
   ImGui::Separator();
   if (item(state, "Reset view", "R")) changed |= reset_view(document, state);
+  changed |= camera_menu(document, state, inputs);
   ImGui::MenuItem("Outline and axes", nullptr, &state.views.outline);
   ImGui::MenuItem("Suggested peaks", nullptr, &state.editor.suggestions);
   note_item(state.widgets, "Suggested peaks");

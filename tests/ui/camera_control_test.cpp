@@ -89,5 +89,27 @@ TEST(ProjectSegment, CutsWhatIsBehindTheEye) {
   EXPECT_TRUE(std::isfinite(ends->second.x));
 }
 
+TEST(CameraControl, LooksAlongAnAxisAtTheSameTarget) {
+  const Camera before{.eye = {3, 4, 5}, .target = {1, 1, 1}, .up = {0, 0, 1}, .unknown = {}};
+  for (const glm::dvec3 direction : {glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1)}) {
+    const Camera camera = look_along(before, direction);
+    EXPECT_EQ(camera.target, before.target);
+    EXPECT_NEAR(glm::length(camera.target - camera.eye - direction * glm::length(before.target - before.eye)),
+                0, 1e-12);
+    EXPECT_EQ(glm::dot(camera.up, direction), 0) << "up lies across";
+  }
+}
+
+TEST(CameraControl, FourQuarterTurnsAreNone) {
+  const Camera before =
+      look_along({.eye = {3, 4, 5}, .target = {1, 1, 1}, .up = {0, 0, 1}, .unknown = {}}, {0, 1, 0});
+  Camera camera = roll(before, std::acos(-1.0) / 2);
+  EXPECT_NEAR(glm::length(camera.up - glm::dvec3(-1, 0, 0)), 0, 1e-12)
+      << "the top of the picture goes to the right";
+  for (int i = 0; i < 3; ++i) camera = roll(camera, std::acos(-1.0) / 2);
+  EXPECT_NEAR(glm::length(camera.up - before.up), 0, 1e-12);
+  EXPECT_EQ(camera.eye, before.eye);
+}
+
 }  // namespace
 }  // namespace crest
