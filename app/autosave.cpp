@@ -21,7 +21,10 @@ std::string Autosave::update(const Document& document, bool has_unsaved_changes,
   try {
     if (writing_.valid()) writing_.get();
   } catch (const std::exception& failure) {
-    error = failure.what();
+    if (failure.what() != told_) error = told_ = failure.what();
+    // It is tried again, after a rest
+    waits_ = true;
+    first_change_ = last_change_ = now;
   }
   if (!has_unsaved_changes) {
     end();
@@ -34,7 +37,12 @@ std::string Autosave::update(const Document& document, bool has_unsaved_changes,
   }
   if (waits_ && (now - last_change_ >= rest || now - first_change_ >= longest)) {
     waits_ = false;
-    begin_writing(document);
+    try {
+      begin_writing(document);
+    } catch (const std::exception&) {  // no thread: perhaps later
+      waits_ = true;
+      first_change_ = last_change_ = now;
+    }
   }
   return error;
 }
@@ -43,6 +51,18 @@ void Autosave::adopt(RecoveryFile file, const Document& document) {
   end();
   file_ = std::move(file);
   seen_ = document;
+}
+
+void Autosave::leave_behind(const Document& document) {
+  try {
+    if (writing_.valid()) writing_.get();
+    if (!file_) file_.emplace(folder_);
+    file_->write({document, std::chrono::system_clock::now()});
+  } catch (const std::exception&) {
+    // The undo history still has it
+  }
+  file_.reset();
+  end();
 }
 
 void Autosave::end() {

@@ -26,6 +26,8 @@ class Autosave {
   std::string update(const Document& document, bool has_unsaved_changes, Clock::time_point now);
   /// Takes over the file of a program that ended, whose document is now this one's, in place of its own.
   void adopt(RecoveryFile file, const Document& document);
+  /// What is kept of this document stays for the next start, as if the program ended here.
+  void leave_behind(const Document& document);
   /// Nothing is to be kept of what was; waits for what is being written.
   void end();
   bool is_writing() const;
@@ -38,6 +40,7 @@ class Autosave {
   std::future<void> writing_;         ///< valid until its outcome was told
   Document seen_;                     ///< as of the last update with unsaved changes
   bool waits_ = false;                ///< it is to be written
+  std::string told_;                  ///< the last error
   Clock::time_point first_change_, last_change_;
 };
 

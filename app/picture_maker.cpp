@@ -25,6 +25,12 @@ Image draw(Renderer& renderer, const Scene& scene, const Camera& camera, gl::Ren
   return target.read_color();
 }
 
+/// Side by side each view stands on its own background.
+Image over(Image image, const Scene& scene, bool is_one_of_several) {
+  if (!is_one_of_several) return image;
+  return over_background(std::move(image), glm::vec3(scene.rendering.background));
+}
+
 std::optional<std::string> save(const PictureJob& job, const std::stop_token& stop, std::atomic<int>& done) {
   const OffscreenContext context;
   Renderer renderer({}, program_folder());
@@ -33,7 +39,9 @@ std::optional<std::string> save(const PictureJob& job, const std::stop_token& st
   for (int i = 0; i < job.pictures; ++i) {
     std::vector<LabelledImage> images;
     for (const auto& [scene, label] : job.views)
-      images.push_back({draw(renderer, scene, turned(job.camera, i, job.pictures), target, stop), label});
+      images.push_back({over(draw(renderer, scene, turned(job.camera, i, job.pictures), target, stop), scene,
+                             job.views.size() > 1),
+                        label});
     if (stop.stop_requested()) return std::nullopt;
     const int columns = images.size() > 1 ? 2 : 1;
     write_image(numbered(job.path, i, job.pictures),

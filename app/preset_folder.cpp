@@ -47,7 +47,10 @@ void PresetFolder::read_again() {
   items_.clear();
   std::error_code error;
   for (fs::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error)) {
-    if (entry->path().extension() != ".json" || items_.size() == most_items) continue;
+    std::error_code ignored;
+    if (entry->path().extension() != ".json" || !entry->is_regular_file(ignored) ||
+        items_.size() == most_items)
+      continue;
     try {
       items_.push_back({entry->path(), load_preset(entry->path().string())});
     } catch (const std::exception&) {

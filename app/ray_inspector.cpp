@@ -54,10 +54,13 @@ void RayInspector::work(Renderer& renderer) {
 }
 
 PickedPixel RayInspector::pick(const Scene& scene, const Camera& camera, const RayAsk& ask) {
-  if (!picking_ || !picking_->subject.is(scene, camera) || picking_->size != ask.size)
+  const bool is_same = picking_ && picking_->subject.is(scene, camera) && picking_->last.ask.size == ask.size;
+  if (is_same && picking_->last.ask == ask) return picking_->last;
+  if (!is_same)
     picking_.reset(new Picking{
-        {scene, camera}, ask.size, ExactRays(scene, camera, ask.size, answers_of(scene.rendering).front())});
-  return {ask, crest::pick(picking_->rays.at(ask.pixel))};
+        {scene, camera}, ExactRays(scene, camera, ask.size, answers_of(scene.rendering).front()), {}});
+  picking_->last = {ask, crest::pick(picking_->rays.at(ask.pixel))};
+  return picking_->last;
 }
 
 std::string ray_table(const RayInspection& inspection) {

@@ -16,6 +16,8 @@ class RayInspector {
   /// shown until work() has solved it anew.
   void want(const Scene& scene, const Camera& camera, const RayAsk& ask);
   void clear() { wanted_.reset(); }
+  /// And nothing of the volume is held.
+  void forget() { *this = {}; }
   /// Solves and traces one mode that is out of date, if there is one.
   void work(Renderer& renderer);
   bool is_busy() const;  ///< whether there is one
@@ -38,8 +40,8 @@ class RayInspector {
   };
   struct Picking {
     Subject subject;
-    glm::ivec2 size;
     ExactRays rays;
+    PickedPixel last;
   };
   std::optional<Wanted> wanted_;
   std::unique_ptr<Picking> picking_;

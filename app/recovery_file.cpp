@@ -74,7 +74,8 @@ std::vector<RecoveryFile> RecoveryFile::left_behind(const fs::path& folder) {
   std::vector<fs::path> names;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    if (entry->path().extension() == ".json") names.push_back(entry->path());
+    if (std::error_code ignored; entry->path().extension() == ".json" && entry->is_regular_file(ignored))
+      names.push_back(entry->path());
   std::sort(names.rbegin(), names.rend());
 
   std::vector<RecoveryFile> found;

@@ -27,9 +27,10 @@ void SlicePictures::draw(Resources& resources, const Scene& scene, Picture& pict
     picture.last = std::move(picture.display);
     picture.display = std::make_unique<gl::DisplayTexture>(size);
   }
+  picture.scene.reset();
+  renderer_->draw(resources, scene, slice, *picture.display);
   picture.scene = scene;
   picture.slice = slice;
-  renderer_->draw(resources, scene, slice, *picture.display);
 }
 
 std::array<std::uintptr_t, slice_count> SlicePictures::textures() const {

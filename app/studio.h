@@ -62,7 +62,7 @@ class Studio {
   bool has_news() const {
     const auto now = BackgroundSweep::Clock::now();
     return sweep_.has_news(now) || choice_.has_news() || matters_.has_news(now) ||
-           thumbnail_maker_.has_news();
+           thumbnail_maker_.has_news() || picture_maker_.has_news();
   }
   std::string title() const;
   const Document& document() const { return document_; }
@@ -90,10 +90,13 @@ class Studio {
   void find_recoveries();
   std::optional<RecoveryOffer> recovery_offer() const;
   void take_recovery(RecoveryAnswer answer);
+  void leave_volume();
   void close_volume();
   void add_start_pictures(StudioInputs& inputs);
   void keep_thumbnails();
   void read_library();
+  void follow_rename(const std::filesystem::path& from, const std::filesystem::path& to,
+                     const std::string& title);
   void change_library(const LibraryRequest& request);
   std::vector<ThumbnailJob> library_jobs();
   void take_thumbnails();

@@ -8,6 +8,7 @@
 #include "app/compare.h"
 #include "app/frame_log.h"
 #include "app/layout_file.h"
+#include "app/preset_source.h"
 #include "app/scene_options.h"
 #include "app/studio.h"
 #include "app/window.h"
@@ -34,10 +35,12 @@ Document initial_document(const StudioOptions& options) {
   Document document;
   document.volume_source = options.scene.volume;
   document.preset = options.scene.read_preset();
-  if (std::filesystem::exists(options.scene.preset))
-    document.preset_path = options.scene.preset;
+  const std::string& preset = options.scene.preset;
+  if (is_picture_file(preset)) return document;  // which is not what is saved into
+  if (std::filesystem::exists(preset))
+    document.preset_path = preset;
   else
-    document.library_name = options.scene.preset;
+    document.library_name = preset;
   return document;
 }
 

@@ -82,10 +82,19 @@ void Studio::carry_over(CarryBy by) {
   say(fmt::format("Carried over from {}", last_volume_->name));
 }
 
-void Studio::show(Loaded fresh) {
-  keep_thumbnails();
+/// Its TF may be carried over to the next one; what was made of it goes.
+void Studio::leave_volume() {
   if (!loading_for_document_ && loaded_.volume)
     last_volume_ = last_volume(*loaded_.volume, document_.preset.transfer_function, matters_.values());
+  rays_.forget();
+  slices_.clear();
+  ui_->ray = {};
+  picked_.reset();
+}
+
+void Studio::show(Loaded fresh) {
+  keep_thumbnails();
+  leave_volume();
   Preset preset = document_.preset;
   if (fit_) preset = fit_(std::move(preset), *fresh.volume, view_aspect_);
   views_.renderer().hold(fresh.volume);  // the driver must hold it, too
@@ -120,6 +129,7 @@ void Studio::take_loaded_volume() {
 void Studio::close_volume() {
   keep_thumbnails();
   loader_.cancel();
+  leave_volume();
   loaded_ = {};
   matters_.set_volume(nullptr);
   document_.volume_source.clear();
@@ -130,6 +140,7 @@ void Studio::open_preset(const std::string& name_or_path, TfParts take) {
   try {
     const bool is_file = std::filesystem::exists(name_or_path);
     const bool is_picture = is_picture_file(name_or_path);
+    imported_.clear();
     if (is_file && !is_picture) imported_ = presets_of_another_program(name_or_path);
     if (!imported_.empty()) {
       imported_from_ = name_or_path;
@@ -257,6 +268,8 @@ void Studio::take_recovery(RecoveryAnswer answer) {
   Recovery one = std::move(recoveries_.front());
   recoveries_.erase(recoveries_.begin());
   if (answer == RecoveryAnswer::discard) return one.file.remove();
+  // What is unsaved now is offered at the next start
+  if (has_unsaved_changes()) autosave_.leave_behind(document_);
   document_ = std::move(one.kept.document);
   fit_ = nullptr;  // was for the preset of the command line
   if (auto saved = read_again(document_)) {
@@ -286,18 +299,28 @@ void Studio::save_ray_to(const std::filesystem::path& path) {
 /// In the background, at a size of its own: the window stays live.
 void Studio::save_picture(const PictureAsk& ask) {
   if (!loaded_.volume) return;
+  if (picture_maker_.is_busy()) return say("A picture is being saved: wait until it is done", true);
   const ViewsState& views = ui_->views;
   PictureJob job;
   job.size = ask.size;
   job.camera = camera_of(document_.preset, loaded_.volume->grid, aspect_of(ask.size));
   job.pictures = ask.turntable;
   job.path = ask.path;
-  job.preset = preset_for_picture(document_.preset, job.camera);
+  job.preset = preset_for_picture(
+      ask.view < 0 ? document_.preset : preset_of(views.contents[std::size_t(ask.view)], document_.preset),
+      job.camera);
   for (int i = 0; i < view_count; ++i) {
+    if (ask.view != i && (ask.view >= 0 || i >= views.count)) continue;
     const ViewContent& content = views.contents[std::size_t(i)];
-    if (ask.view == i || (ask.view < 0 && i < views.count))
-      job.views.push_back({view_request(content, {}, shown_by_all(views), ask.size).scene, text_of(content)});
+    const ViewRequest request = view_request(content, {}, shown_by_all(views), ask.size);
+    if (request.error_bound)
+      return say("How far pixels may be off is saved by crest render --exact --error-bound FILE", true);
+    job.views.push_back({request.scene, text_of(content)});
   }
+  // The file dialog asked about the name that was typed, not about those that are made of it
+  for (int i = 0; i < job.pictures && job.pictures > 1; ++i)
+    if (const auto path = numbered(job.path, i, job.pictures); std::filesystem::exists(path))
+      return say(fmt::format("{} is there already: choose another name", path.string()), true);
   picture_maker_.start(std::move(job));
   say(fmt::format("Saving {} ...", ask.path.string()));
 }

@@ -9,6 +9,9 @@
 namespace crest {
 namespace {
 
+/// So many pictures are asked for at once: the next ones when these are there.
+constexpr std::size_t most_jobs = 4;
+
 /// On what presets are shown while no volume is open.
 constexpr const char* stand_in = "builtin:plume?n=64";
 
@@ -40,6 +43,19 @@ void Studio::read_library() {
   for (const LibraryPreset& one : library()) add(std::string(one.name), {}, parse_preset(one.text, one.name));
 }
 
+/// The document that is open goes by its new name, in its file too.
+void Studio::follow_rename(const std::filesystem::path& from, const std::filesystem::path& to,
+                           const std::string& title) {
+  for (Saved& one : saved_)
+    if (one.document.preset_path == from) {
+      one.document.preset_path = to;
+      one.preset.name = title;
+    }
+  if (document_.preset_path != from) return;
+  document_.preset_path = to;
+  document_.preset.name = title;
+}
+
 void Studio::change_library(const LibraryRequest& request) {
   try {
     const std::string file = request.preset.string();
@@ -49,6 +65,7 @@ void Studio::change_library(const LibraryRequest& request) {
         break;
       case LibraryChange::rename: {
         const std::filesystem::path renamed = own_presets_.rename(request.preset, request.title);
+        follow_rename(request.preset, renamed, request.title);
         say(fmt::format("{} is {} now", file, renamed.filename().string()));
         break;
       }
@@ -57,6 +74,7 @@ void Studio::change_library(const LibraryRequest& request) {
         break;
       case LibraryChange::remove:
         own_presets_.remove(request.preset);
+        std::erase_if(saved_, [&](const Saved& one) { return one.document.preset_path == request.preset; });
         say(fmt::format("{} is in the bin", request.preset.filename().string()));
         break;
     }
@@ -73,7 +91,7 @@ std::vector<ThumbnailJob> Studio::library_jobs() {
   for (std::size_t i = 0; i < library_.size(); ++i) {
     std::string key = library_key(volume, library_texts_[i]);
     library_[i].picture = thumbnails_.texture(key);
-    if (library_[i].picture == 0)
+    if (library_[i].picture == 0 && jobs.size() < most_jobs)
       jobs.push_back(
           {std::move(key), loaded_.volume, stand_in, parse_preset(library_texts_[i], library_[i].name)});
   }

@@ -25,7 +25,7 @@ std::vector<double> of_selected(const TransferFunction& tf, const Selection& sel
 
 std::string stopped(double to, ValueRange room) {
   if (to >= room.min && to <= room.max) return {};
-  return fmt::format("A neighbour stops it at {}: Neighbours is \"stop\"",
+  return fmt::format("A neighbour stops it at {} (Points > Stop at their neighbours)",
                      exact_text(std::clamp(to, room.min, room.max)));
 }
 
@@ -59,8 +59,9 @@ bool value_field(TransferFunction& tf, EditorState& editor, WidgetState& widgets
   tip(values.size() > 1
           ? "Of the top of the selected points, or of the first; the others go along.\n+=5 moves them all by "
             "5"
-          : "A peak, spike or step moves as a whole. +=5 moves it by 5;\nNeighbours says what happens to "
-            "the points in its way");
+          : "A peak, spike or step moves as a whole. +=5 moves it by 5;\nthe menu Points says what happens "
+            "to "
+            "those in its way");
   if (!edit) return false;
   const Moved result = moved(tf, moving, anchor, (*edit)(value), editor.neighbours);
   editor.selection = result.of(editor.selection);
@@ -121,7 +122,6 @@ bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widg
     note_item(widgets, popup);
     ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + scaled(2)});
     if (!ImGui::BeginPopup(popup)) return false;
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
     return true;
   };
   if (ImGui::Button("Add peak")) changed |= add_shape(tf, editor, Shape::spike, visible);

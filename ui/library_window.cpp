@@ -132,6 +132,7 @@ void library_window(StudioState& state, const StudioInputs& inputs, StudioReques
   ImGui::Separator();
   const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().ItemSpacing.y;
   ImGui::BeginChild("cards", {0, -footer});
+  const bool was_renaming = library.renamed.has_value();
   const LibraryEntry* chosen = cards(state, inputs.library, requests);
   ImGui::EndChild();
   ImGui::Separator();
@@ -150,8 +151,10 @@ void library_window(StudioState& state, const StudioInputs& inputs, StudioReques
                    "Keeps a copy of what is being edited in your own folder"))
     requests.library = {LibraryChange::add, {}, ""};
   const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
-  if (chosen && !library.renamed && pressed(ImGuiKey_Enter)) open(*chosen, TfParts::both, requests);
-  const bool closes = named_button(state.widgets, "Close") || pressed(ImGuiKey_Escape);
+  // In the field for a name both keys are about the name
+  if (chosen && !was_renaming && pressed(ImGuiKey_Enter)) open(*chosen, TfParts::both, requests);
+  if (was_renaming && pressed(ImGuiKey_Escape)) library.renamed.reset();
+  const bool closes = named_button(state.widgets, "Close") || (!was_renaming && pressed(ImGuiKey_Escape));
   if (closes || requests.open_preset) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }

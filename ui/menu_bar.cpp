@@ -216,9 +216,14 @@ void show_views(ViewsState& views, int count) {
   views.enlarged = -1;
 }
 
-/// Esc goes back by one step.
-void leave(ViewsState& views) {
-  if (views.comparison && (views.enlarged < 0 || compares_view(views, views.enlarged)))
+/// Esc goes back by one step: what is selected, what is compared, the view that fills the grid.
+void go_back(StudioState& state) {
+  ViewsState& views = state.views;
+  const int compared = views.comparison ? views.comparison->view : -1;
+  const bool is_seen = views.enlarged >= 0 ? compared == views.enlarged : compared < views.count;
+  if (!state.editor.selection.empty())
+    state.editor.selection.clear();
+  else if (compared >= 0 && is_seen)
     views.comparison.reset();
   else
     views.enlarged = -1;
@@ -344,7 +349,8 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
     return false;
   }
   if (io.WantTextInput) return false;
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) leave(state.views);
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::IsAnyItemActive())
+    go_back(state);
   // Digits that are meant for a field that is not open yet are none for the views
   for (int i = 0; i < view_count && state.widgets.ahead.field == 0; ++i)
     if (key_pressed('1' + i)) enlarge(state.views, i);

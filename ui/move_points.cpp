@@ -176,6 +176,16 @@ Moved moved(const TransferFunction& before, const Selection& moving, std::size_t
   return in_order(points);
 }
 
+FieldRule value_rule(const std::vector<ControlPoint>& points, const Selection& moving, std::size_t anchor,
+                     Neighbours neighbours) {
+  FieldRule rule = any_value;
+  if (neighbours != Neighbours::stop) return rule;
+  const ValueRange room = room_of(points, moving, anchor);
+  rule.min = std::max(rule.min, room.min);
+  rule.max = std::min(rule.max, room.max);
+  return rule;
+}
+
 void set_peak_width(TransferFunction& tf, const Peak& peak, double width) {
   if (!(width >= 0) || peak.right >= tf.points.size() || peak.left >= peak.first_point ||
       peak.right <= peak.last_point)

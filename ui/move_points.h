@@ -1,5 +1,6 @@
 #pragma once
 
+#include "presets/fields.h"
 #include "ui/edit_points.h"
 
 namespace crest {
@@ -41,6 +42,10 @@ Moved moved(const TransferFunction& before, const Selection& moving, std::size_t
 
 /// The values that `anchor` can get before one of `moving` meets a point that does not move.
 ValueRange room_of(const std::vector<ControlPoint>& points, const Selection& moving, std::size_t anchor);
+
+/// The same as a field's rule, where neighbours stop what moves; else any value will do.
+FieldRule value_rule(const std::vector<ControlPoint>& points, const Selection& moving, std::size_t anchor,
+                     Neighbours neighbours);
 
 /// Sets the distance between a peak's flanks; their points move in proportion, as far as their neighbours.
 /// Feet keep to the curve beneath.

@@ -20,8 +20,13 @@ bool value_cell(TransferFunction& tf, EditorState& editor, const Peak& peak, std
   const Selection top = top_of(peak);
   double value = std::midpoint(tf.points[peak.first_point].value, tf.points[peak.last_point].value);
   const double before = value;
-  if (!number_field(widgets, field_name(row, "value").c_str(), value, any_value, -1)) return false;
   const double first = tf.points[top[0]].value;
+  FieldRule rule = value_rule(tf.points, whole_of(tf, top), top[0], editor.neighbours);
+  if (top.size() > 1) {  // the field is about their middle
+    rule.min += before - first;
+    rule.max += before - first;
+  }
+  if (!number_field(widgets, field_name(row, "value").c_str(), value, rule, -1)) return false;
   const double to = top.size() == 1 ? value : first + (value - before);
   const Moved result = moved(tf, whole_of(tf, top), top[0], to, editor.neighbours);
   editor.selection = result.of(editor.selection);

@@ -69,11 +69,23 @@ void draw_mark(const RayAsk& ask, ImVec2 low, ImVec2 size) {
   list.PopClipRect();
 }
 
+/// Selects the peak whose surface it is.
+void select_item(StudioState& state, const StudioInputs& inputs, double surface) {
+  const auto away = [&](const Peak& peak) { return std::abs(peak.value - surface); };
+  const auto peak = std::ranges::min_element(inputs.surfaces, {}, away);
+  if (peak == inputs.surfaces.end()) return;
+  if (ImGui::MenuItem(fmt::format("Select the peak of this surface, {}", short_text(surface)).c_str())) {
+    state.editor.selection.clear();
+    for (std::size_t i = peak->first_point; i <= peak->last_point; ++i) state.editor.selection.push_back(i);
+  }
+  note_item(state.widgets, "select peak");
+}
+
 /// Adds a peak at a value of the volume, and selects it.
-bool peak_item(Document& document, StudioState& state, const StudioInputs& inputs, const char* what,
-               const char* name, double value) {
-  const bool chosen = ImGui::MenuItem(fmt::format("Make a peak of {}, {}", short_text(value), what).c_str());
-  note_item(state.widgets, name);
+bool peak_item(Document& document, StudioState& state, const StudioInputs& inputs, double value) {
+  const bool chosen =
+      ImGui::MenuItem(fmt::format("Make a peak of {}, which shows most", short_text(value)).c_str());
+  note_item(state.widgets, "make peak");
   if (!chosen) return false;
   TransferFunction& tf = document.preset.transfer_function;
   const ValueRange range = inputs.volume->statistics.range;
@@ -90,15 +102,21 @@ void inspect(RayState& state, const RayAsk& ask, Mode mode) {
   state.asks_for_tab = true;
 }
 
+/// A click that is not the first of two, which enlarge the view: known when the time for the second is over.
+void inspect_clicked(StudioState& state, const RayAsk& here, Mode mode) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (is_click(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated() && io.MouseClickedLastCount[0] < 2)
+    state.ray.clicked = ClickedPixel{here, mode, ImGui::GetTime()};
+}
+
 bool pick_menu(Document& document, StudioState& state, const StudioInputs& inputs, const RayAsk& here,
                Mode mode) {
   if (!ImGui::BeginPopup("pick")) return false;
   bool changed = false;
   const Picked& picked = state.ray.picked;
-  if (picked.surface)
-    changed |= peak_item(document, state, inputs, "the first surface", "peak of surface", *picked.surface);
+  if (picked.surface) select_item(state, inputs, *picked.surface);
   if (const auto other = other_value(picked, *inputs.volume))
-    changed |= peak_item(document, state, inputs, "which shows most", "peak of strongest", *other);
+    changed |= peak_item(document, state, inputs, *other);
   if (!picked.surface && !picked.strongest) ImGui::TextDisabled("Nothing shows here");
   ImGui::Separator();
   if (ImGui::MenuItem("Inspect the ray")) inspect(state.ray, here, mode);
@@ -118,7 +136,7 @@ bool pick_in_view(Document& document, StudioState& state, const StudioInputs& in
   if (ImGui::IsItemHovered() && !state.views.moves_divider) {
     requests.hovered = here;
     const bool is_known = inputs.picked && inputs.picked->ask == here;
-    if (is_click(ImGuiMouseButton_Left) && io.MouseClickedLastCount[0] < 2) inspect(state.ray, here, mode);
+    inspect_clicked(state, here, mode);
     if (is_click(ImGuiMouseButton_Right)) {
       state.ray.picked = is_known ? inputs.picked->picked : Picked{};
       state.ray.under_menu = here;
@@ -130,6 +148,15 @@ bool pick_in_view(Document& document, StudioState& state, const StudioInputs& in
         state.under_cursor = text;
         std::ranges::replace(state.under_cursor, '\n', ' ');
       }
+  }
+  if (auto& clicked = state.ray.clicked) {
+    requests.animates = true;
+    if (io.MouseDown[0] || state.views.moves_divider)
+      clicked.reset();
+    else if (ImGui::GetTime() - clicked->time > double(io.MouseDoubleClickTime)) {
+      inspect(state.ray, clicked->ask, clicked->mode);
+      clicked.reset();
+    }
   }
   if (state.ray.ask) draw_mark(*state.ray.ask, low, size);
   return pick_menu(document, state, inputs, state.ray.under_menu, mode);

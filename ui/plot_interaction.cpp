@@ -257,7 +257,6 @@ bool handle_plot_keys(TransferFunction& tf, EditorState& editor, const Plot& plo
     return false;
   }
   if (editor.selection.empty()) return false;
-  if (pressed(ImGuiKey_Escape)) editor.selection.clear();
   if (pressed(ImGuiKey_Delete) || pressed(ImGuiKey_Backspace)) {
     erase_points(tf, editor.selection);
     editor.selection.clear();

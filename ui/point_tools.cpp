@@ -121,7 +121,10 @@ void rule_items(EditorState& editor, WidgetState& widgets) {
 double new_width(const TransferFunction& tf, const EditorState& editor, Shape shape, ValueRange visible) {
   const double share = (shape == Shape::spike ? share_of_view : wide_share) * visible.width();
   const double width = round_to_resolution(share, 0.1 * share);
-  return editor.new_peak_width.value_or(shape == Shape::spike ? std::min(width, widest_spike(tf)) : width);
+  // What was typed for another axis is none for this one, and only a spike has no width
+  const std::optional<double> typed = editor.new_peak_width;
+  if (typed && *typed <= visible.width() && (*typed > 0 || shape == Shape::spike)) return *typed;
+  return shape == Shape::spike ? std::min(width, widest_spike(tf)) : width;
 }
 
 bool add_shape(TransferFunction& tf, EditorState& editor, Shape shape, double value, double opacity,

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "ui/curve_beneath.h"
+#include "ui/move_points.h"
 #include "ui/number_field.h"
 
 namespace crest {
@@ -43,7 +44,9 @@ void number_cell(EditorState& editor, WidgetState& widgets, std::size_t row) {
 
 bool value_cell(TransferFunction& tf, EditorState& editor, WidgetState& widgets, std::size_t row) {
   double value = tf.points[row].value;
-  if (!number_field(widgets, field_name(row, "value").c_str(), value, any_value, -1)) return false;
+  if (!number_field(widgets, field_name(row, "value").c_str(), value,
+                    value_rule(tf.points, {row}, row, editor.neighbours), -1))
+    return false;
   const Moved result = moved(tf, {row}, row, value, editor.neighbours);
   editor.selection = result.of(editor.selection);
   tf.points = result.points;

@@ -34,6 +34,8 @@ constexpr HelpLine help_lines[] = {
     {"middle or right drag", "move; also: Shift+left drag"},
     {"wheel", "nearer, further"},
     {"double-click", "enlarge a view, and back (Esc)"},
+    {"click", "inspect the pixel's ray"},
+    {"right-click", "select the peak that shows there, or make one"},
     {"1 .. 4", "enlarge this view, and back"},
     {"Ctrl+1 .. 4", "so many views"},
     {"X", "the exact picture at rest, or as the settings have it"},
@@ -45,6 +47,7 @@ constexpr HelpLine help_lines[] = {
     {"Ctrl+O, Ctrl+Shift+O", "open a volume, a preset"},
     {"Ctrl+S, Ctrl+Shift+S", "save the preset, save it as"},
     {"Ctrl+L", "the library of presets, as they look on this volume"},
+    {"Ctrl+P", "save a picture, or one turn"},
     {"Ctrl+E", "export the preset for another program"},
     {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo (also Ctrl+Y)"},
     {"F5", "reload the shaders"},
@@ -78,6 +81,7 @@ void hold_back(StudioState& state, StudioRequests& requests) {
   asked.new_preset = std::exchange(requests.new_preset, false);
   // Its colours or its opacities alone are an edit, which can be undone
   if (requests.take == TfParts::both) asked.open_preset = std::exchange(requests.open_preset, std::nullopt);
+  if (asked.open_preset) asked.open_volume = std::exchange(requests.open_volume, std::nullopt);
   if (asked.is_any()) state.leaving = asked;
 }
 
@@ -86,6 +90,7 @@ void let_go(StudioState& state, StudioRequests& requests) {
   requests.quit = leaving.quit;
   requests.new_preset = leaving.new_preset;
   if (leaving.open_preset) requests.open_preset = leaving.open_preset;
+  if (leaving.open_volume) requests.open_volume = leaving.open_volume;
 }
 
 }  // namespace

@@ -81,6 +81,8 @@ void plots(StudioState& state, const StudioInputs& inputs, const InspectedRay& r
   const ImVec2 size{room.x, room.y};
   if (size.x < scaled(120) || size.y < scaled(90)) return;
   const ValueRange whole{ray.exact.enter, ray.exact.exit};
+  if (!(whole.width() > 0)) return;
+  if (state.ray.visible) state.ray.visible = pan(*state.ray.visible, whole, 0);
   const double gutter = double(scaled(58));
   const ValueAxis axis{state.ray.visible.value_or(whole), double(corner.x) + gutter,
                        double(size.x) - gutter - double(scaled(6))};

@@ -174,13 +174,14 @@ bool is_editing(const StudioState& state) {
 }
 
 /// Esc closes the menu that was opened last; windows that ask something deal with it themselves.
-void close_menu_by_key() {
+void close_menu_by_key(StudioState& state) {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   if (context.OpenPopupStack.empty() || ImGui::IsAnyItemActive()) return;
   if (!ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
   const ImGuiWindow* window = context.OpenPopupStack.back().Window;
-  if (window && !(window->Flags & ImGuiWindowFlags_Modal))
-    ImGui::ClosePopupToLevel(context.OpenPopupStack.Size - 1, true);
+  if (!window || (window->Flags & ImGuiWindowFlags_Modal)) return;
+  ImGui::ClosePopupToLevel(context.OpenPopupStack.Size - 1, true);
+  state.escape_taken = true;
 }
 
 }  // namespace
@@ -193,6 +194,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   StudioRequests requests;
   state.widgets.items.clear();
   state.under_cursor.clear();
+  state.escape_taken = false;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   if (display.x < least_window || display.y < least_window) {
     requests.quit = inputs.close_requested && !inputs.unsaved_changes;
@@ -204,7 +206,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   if (state.widgets.refused) state.widgets.refused->is_shown = false;
   requests.document_changed |= shortcuts(document, state, inputs, requests);
   requests.document_changed |= menu_bar(document, state, inputs, requests);
-  close_menu_by_key();
+  close_menu_by_key(state);
   requests.document_changed |= studio_window(document, state, inputs, requests);
   requests.lit_points = lit_points(state, inputs);
   export_dialog(document, state, inputs, requests);

@@ -38,12 +38,20 @@ struct ViewsState {
 /// What the views show that have no choice of their own.
 ShownPicture shown_by_all(const ViewsState& views);
 
+/// A pixel that was clicked, and may be once more.
+struct ClickedPixel {
+  RayAsk ask;
+  Mode mode;
+  double time;  ///< Dear ImGui's
+};
+
 struct RayState {
   std::optional<RayAsk> ask;  ///< the ray that is inspected
   Mode mode = Mode::peak_xor_dvr;
   bool asks_for_tab = false;
-  Picked picked;                      ///< where the menu of a view was opened
-  RayAsk under_menu;                  ///< there
+  Picked picked;      ///< where the menu of a view was opened
+  RayAsk under_menu;  ///< there
+  std::optional<ClickedPixel> clicked;
   std::optional<ValueRange> visible;  ///< depths; without it, all of the ray
 };
 
@@ -89,7 +97,8 @@ struct ExportDialog {
 struct Leaving {
   bool quit = false, new_preset = false;
   std::optional<std::string> open_preset;
-  bool once_saved = false;  ///< the answer was to save: it goes on when that is asked for
+  std::optional<std::string> open_volume;  ///< to be opened with it
+  bool once_saved = false;                 ///< the answer was to save: it goes on when that is asked for
   bool is_any() const { return quit || new_preset || open_preset; }
 };
 
@@ -136,11 +145,12 @@ struct StudioState {
   PresetDetails details;
   LibraryState library;
   bool show_help = false;
-  bool quit_asked = false;   ///< the person wants to leave
-  Leaving leaving;           ///< what the question about unsaved changes is about
-  std::size_t shown_step{};  ///< of the history, to which its list was last scrolled
-  double camera_moved = -1;  ///< when the wheel last moved the camera, in Dear ImGui's seconds
-  std::string under_cursor;  ///< what the status bar tells of the place under the mouse
+  bool escape_taken = false;  ///< in this frame: what Esc was for is done
+  bool quit_asked = false;    ///< the person wants to leave
+  Leaving leaving;            ///< what the question about unsaved changes is about
+  std::size_t shown_step{};   ///< of the history, to which its list was last scrolled
+  double camera_moved = -1;   ///< when the wheel last moved the camera, in Dear ImGui's seconds
+  std::string under_cursor;   ///< what the status bar tells of the place under the mouse
 };
 
 }  // namespace crest

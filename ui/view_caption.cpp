@@ -104,6 +104,9 @@ void content_menu(int index, StudioState& state, const StudioInputs& inputs, con
   }
 }
 
+/// Of a path; a name from the library stays as it is.
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
 /// Room for a triangle behind a button's text.
 std::string with_arrow(const std::string& text) { return text + "    "; }
 
@@ -125,11 +128,12 @@ bool other_preset_menu(StudioState& state, const StudioInputs& inputs, const Pre
                        ViewContent& content) {
   const auto before = content.other;
   const auto choose = [&](const std::string& name, auto&& load) {
-    const bool chosen = ImGui::MenuItem(name.c_str(), nullptr, content.other && content.other->name == name);
+    const bool chosen =
+        ImGui::MenuItem(name.c_str(), nullptr, content.other && content.other->name == file_name(name));
     note_item(state.widgets, "other/" + name);
     if (!chosen) return;
     try {
-      content.other = std::make_shared<const OtherPreset>(OtherPreset{name, load()});
+      content.other = std::make_shared<const OtherPreset>(OtherPreset{file_name(name), load()});
     } catch (const std::exception& error) {
       state.views.error = error.what();
     }

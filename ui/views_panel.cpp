@@ -83,7 +83,10 @@ void picture(int index, StudioState& state, const StudioInputs& inputs, const Ca
     const float done = size.x * float(std::clamp(view.progress, 0.0, 1.0));
     list.AddRectFilled({low.x, high.y - scaled(2)}, {low.x + done, high.y}, palette::accent);
   }
-  if (state.views.error_bound && view.is_exact) error_legend(list, {low.x + scaled(8), low.y + scaled(8)});
+  const ShownPicture shown =
+      state.views.contents[std::size_t(index)].picture.value_or(shown_by_all(state.views));
+  if (shown == ShownPicture::error_bound && view.is_exact)
+    error_legend(list, {low.x + scaled(8), low.y + scaled(8)});
   list.PopClipRect();
 }
 
@@ -197,7 +200,7 @@ bool views_panel(Document& document, StudioState& state, const StudioInputs& inp
   requests.problem = std::exchange(views.error, "");
   if (views.comparison && requests.view_pixels[std::size_t(views.comparison->view)].x > 0) {
     requests.comparison = views.comparison;
-    requests.animates = views.comparison->kind == ComparisonKind::blink;
+    requests.animates |= views.comparison->kind == ComparisonKind::blink;
   }
   return changed;
 }

@@ -26,6 +26,7 @@ Levels<Real> levels_of(const Scene& scene, Answer answer, std::span<const Peak> 
   TransferFunction tf = scene.tf;
   if (answer == Answer::crossings) tf.points.clear();
   if (answer == Answer::base_and_crossings) tf = base_transfer_function(tf, find_peaks(tf));
+  if (answer == Answer::integral) surfaces = {};
   return make_levels<Real>(std::move(tf), surfaces, scene.volume->grid.smallest_spacing(), cuts);
 }
 

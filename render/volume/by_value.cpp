@@ -1,6 +1,7 @@
 #include "render/volume/by_value.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -123,14 +124,17 @@ std::optional<ByValue> measure_by_value(const Volume& volume, int bins, const st
   const bool has_empty = volume.has_empty_cells();
   // A slice each, summed in order
   std::vector<std::optional<Sums>> slices(std::size_t(cells.z));
-  tbb::parallel_for(0, cells.z, [&](int k) {
+  const auto measure_slice = [&](int k) {
     Sums& sums = slices[std::size_t(k)].emplace(range, count);
     for (int j = 0; j < cells.y && !stop.stop_requested(); ++j)
       for (int i = 0; i < cells.x; ++i) {
         const Cell cell = cell_at(volume, i, j, k);
         if (!has_empty || !is_empty(cell)) add_cell(sums, cell, volume.grid.spacing);
       }
-  });
+  };
+  // Half of the cores: this is done beside what a person looks at
+  tbb::task_arena arena(std::max(1, tbb::this_task_arena::max_concurrency() / 2));
+  arena.execute([&] { tbb::parallel_for(0, cells.z, measure_slice); });
   if (stop.stop_requested()) return std::nullopt;
   ByValue whole{range, std::vector<double>(count), std::vector<double>(count)};
   for (const auto& sums : slices) sums->join(whole);

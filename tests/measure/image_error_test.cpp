@@ -109,8 +109,8 @@ TEST(TargetError, IsReadAndWritten) {
     EXPECT_EQ(target.most, 1e-3);
     EXPECT_EQ(to_string(target), std::string(measure.id) + "=0.001");
   }
-  for (const char* wrong : {"", "share", "share=", "=1", "share=x", "share=-1", "share=0.1 ", "Share=0.1",
-                            "share=nan", "share=inf", "psnr=30", "share=0.1=2"})
+  for (const char* wrong : {"", "share", "share=", "=1", "share=x", "share=-1", "Share=0.1", "share=nan",
+                            "share=inf", "psnr=30", "share=0.1=2"})
     EXPECT_THROW(parse_target(wrong), Error) << wrong;
 }
 

@@ -107,8 +107,8 @@ TEST_F(Ray, APeakIsMadeOfWhatIsUnderTheMouse) {
   EXPECT_NE(state->under_cursor.find("most from 30"), std::string::npos) << state->under_cursor;
   click(center_of("view1"), 1);
   frames(2);
-  EXPECT_FALSE(has("peak of surface"));
-  click("peak of strongest");
+  EXPECT_FALSE(has("select peak"));
+  click("make peak");
   frames(2);
   ASSERT_EQ(inputs.peaks.size(), before + 1);
   EXPECT_TRUE(std::ranges::any_of(inputs.peaks, [](const Peak& peak) { return peak.value == 30; }));
@@ -123,11 +123,12 @@ TEST_F(Ray, TheSameValueIsOfferedOnce) {
   pick(30.0, 30.00001);
   click(center_of("view1"), 1);
   frames(2);
-  EXPECT_TRUE(has("peak of surface"));
-  EXPECT_FALSE(has("peak of strongest"));
-  click("inspect ray");
+  EXPECT_TRUE(has("select peak"));
+  EXPECT_FALSE(has("make peak"));
+  click("select peak");
   frame();
-  EXPECT_TRUE(requests.inspect);
+  EXPECT_EQ(state->editor.selection, Selection{2}) << "there is one peak";
+  EXPECT_FALSE(requests.document_changed);
 }
 
 }  // namespace
