@@ -213,7 +213,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   if (document_.volume_source.empty() && loaded_.volume && !is_loading()) close_volume();
   views_.keep_colors(requests.comparison && requests.comparison->takes_difference());
   views_.work(view_requests(requests), render_ms, interactive);
-  update_difference(requests);
+  update_difference(requests, interactive);
   animates_ = requests.animates;
   tell_view_error();
   update_export_picture(requests);

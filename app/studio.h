@@ -119,7 +119,7 @@ class Studio {
   std::array<ViewRequest, picture_count> view_requests(const StudioRequests& requests) const;
   void update_rays(const StudioRequests& requests, bool interactive);
   void save_ray_to(const std::filesystem::path& path);
-  void update_difference(const StudioRequests& requests);
+  void update_difference(const StudioRequests& requests, bool interactive);
   void carry_over(CarryBy by);
   void update_slices(const StudioRequests& requests);
   void update_matters(const StudioRequests& requests, bool interactive);

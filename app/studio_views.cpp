@@ -53,10 +53,10 @@ std::array<ViewRequest, picture_count> Studio::view_requests(const StudioRequest
   return wanted;
 }
 
-void Studio::update_difference(const StudioRequests& requests) {
+void Studio::update_difference(const StudioRequests& requests, bool interactive) {
   const bool is_wanted = requests.comparison && requests.comparison->takes_difference();
   if (is_wanted)
-    difference_.update(views_, *requests.comparison);
+    difference_.update(views_, *requests.comparison, !interactive);
   else
     difference_.clear();
 }

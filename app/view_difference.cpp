@@ -8,14 +8,9 @@
 namespace crest {
 namespace {
 
-Image over(Image image, glm::vec3 background) {
-  for (glm::vec4& pixel : image.pixels) pixel = {glm::vec3(pixel) + (1 - pixel.a) * background, 1};
-  return image;
-}
-
 DifferencePicture measured(const gl::Presenter::Side& a, const gl::Presenter::Side& b) {
-  const Image first = over(a.picture.read_color(), a.background),
-              second = over(b.picture.read_color(), b.background);
+  const Image first = over_background(a.picture.read_color(), a.background),
+              second = over_background(b.picture.read_color(), b.background);
   DifferencePicture result;
   double squares = 0;
   std::size_t off = 0;
@@ -37,27 +32,31 @@ DifferencePicture measured(const gl::Presenter::Side& a, const gl::Presenter::Si
 void ViewDifference::clear() {
   picture_ = {};
   display_.reset();
-  shown_ = {};
+  shown_ = measured_ = {};
 }
 
-void ViewDifference::update(const ViewRenderer& views, const Comparison& comparison) {
+void ViewDifference::update(const ViewRenderer& views, const Comparison& comparison, bool measures) {
   const gl::RenderTarget *own = views.colors(comparison.view), *other = views.colors(compared_picture);
   if (!own || !other || own->size() != other->size()) {
     picture_.texture = 0;
-    shown_ = {};
+    shown_ = measured_ = {};
     return;
   }
   const auto versions = views.wanted_versions();
   const Subject subject{versions[std::size_t(comparison.view)], versions[compared_picture], comparison.view,
                         comparison.amplification, comparison.kind == ComparisonKind::signed_difference};
-  if (subject == shown_) return;
+  const bool is_measured = !measures || subject.is_same_pair(measured_);
+  if (subject == shown_ && is_measured) return;
   const gl::Presenter::Side a{*own, glm::vec3(views.background(comparison.view))},
       b{*other, glm::vec3(views.background(compared_picture))};
   if (!presenter_) presenter_.emplace();
   if (!display_ || display_->size() != own->size())
     display_ = std::make_unique<gl::DisplayTexture>(own->size());
   presenter_->present_difference(a, b, *display_, subject.amplification, subject.with_sign);
-  if (!subject.is_same_pair(shown_)) picture_ = measured(a, b);
+  if (!is_measured) {
+    picture_ = measured(a, b);
+    measured_ = subject;
+  }
   picture_.texture = display_->texture();
   shown_ = subject;
 }

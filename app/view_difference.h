@@ -11,7 +11,8 @@ namespace crest {
 /// The difference of the two pictures that are compared, when both are done: drawn once, and measured once.
 class ViewDifference {
  public:
-  void update(const ViewRenderer& views, const Comparison& comparison);
+  /// `measures`: else the numbers are of an earlier pair, since pictures are read back for them.
+  void update(const ViewRenderer& views, const Comparison& comparison, bool measures = true);
   void clear();
   DifferencePicture picture() const { return picture_; }
 
@@ -29,7 +30,7 @@ class ViewDifference {
 
   std::optional<gl::Presenter> presenter_;
   std::unique_ptr<gl::DisplayTexture> display_;
-  Subject shown_;
+  Subject shown_, measured_;
   DifferencePicture picture_;
 };
 

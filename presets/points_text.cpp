@@ -17,7 +17,9 @@ TransferFunction points_in(std::string_view text) {
   Json json = parse_json(text);
   if (!json.is_object()) throw Error(summary_of(json) + " holds no points");
   if (!json.contains("transfer_function")) json = {{"transfer_function", std::move(json)}};
-  return preset_from_json(std::move(json)).transfer_function;
+  TransferFunction points = preset_from_json(std::move(json)).transfer_function;
+  if (points.points.empty()) throw Error("it holds no points");
+  return points;
 }
 
 }  // namespace crest

@@ -10,7 +10,7 @@ namespace {
 
 bool is_there(const TransferFunction& tf, const std::vector<ControlPoint>& points) {
   return std::ranges::any_of(points, [&](const ControlPoint& p) {
-    return std::ranges::find(tf.points, p.value, &ControlPoint::value) != tf.points.end();
+    return std::ranges::binary_search(tf.points, p.value, {}, &ControlPoint::value);
   });
 }
 
