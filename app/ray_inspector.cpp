@@ -13,10 +13,13 @@ namespace crest {
 namespace {
 
 /// Of the scene in one mode, as its settings have it.
-InspectedRay inspect(Renderer& renderer, Scene scene, const Camera& camera, const RayAsk& ask, Mode mode) {
+InspectedRay inspect(Renderer& renderer, Scene scene, const Camera& camera, const RayAsk& ask, Mode mode,
+                     std::shared_ptr<const reference::EmptyCells>& empty_cells) {
   scene.rendering = in_mode(scene.rendering, mode);
   InspectedRay ray;
-  ray.exact = ExactRays(scene, camera, ask.size, answers_of(scene.rendering).front()).at(ask.pixel);
+  const ExactRays rays(scene, camera, ask.size, answers_of(scene.rendering).front(), empty_cells);
+  empty_cells = rays.empty_cells();
+  ray.exact = rays.at(ask.pixel);
   try {
     ray.steps = trace_ray(renderer.raycaster(), scene, camera, ask.size, ask.pixel);
   } catch (const std::exception& error) {
@@ -50,15 +53,18 @@ void RayInspector::work(Renderer& renderer) {
       std::size_t(std::ranges::find(wanted_->is_current, false) - wanted_->is_current.begin());
   wanted_->is_current[mode] = true;
   wanted_->inspection.modes[mode] = inspect(renderer, wanted_->subject.scene, wanted_->subject.camera,
-                                            wanted_->inspection.ask, view_modes[mode]);
+                                            wanted_->inspection.ask, view_modes[mode], empty_cells_);
 }
 
 PickedPixel RayInspector::pick(const Scene& scene, const Camera& camera, const RayAsk& ask) {
   const bool is_same = picking_ && picking_->subject.is(scene, camera) && picking_->last.ask.size == ask.size;
   if (is_same && picking_->last.ask == ask) return picking_->last;
   if (!is_same)
-    picking_.reset(new Picking{
-        {scene, camera}, ExactRays(scene, camera, ask.size, answers_of(scene.rendering).front()), {}});
+    picking_.reset(
+        new Picking{{scene, camera},
+                    ExactRays(scene, camera, ask.size, answers_of(scene.rendering).front(), empty_cells_),
+                    {}});
+  empty_cells_ = picking_->rays.empty_cells();
   picking_->last = {ask, crest::pick(picking_->rays.at(ask.pixel))};
   return picking_->last;
 }

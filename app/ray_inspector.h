@@ -45,6 +45,7 @@ class RayInspector {
   };
   std::optional<Wanted> wanted_;
   std::unique_ptr<Picking> picking_;
+  std::shared_ptr<const reference::EmptyCells> empty_cells_;  ///< of the volume that was looked at last
 };
 
 /// The inspected ray as a table: a row for each mode and place, of the exact answer and as drawn.

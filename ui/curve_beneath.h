@@ -17,4 +17,12 @@ void stand_on_curve(std::vector<ControlPoint>& after, const TransferFunction& be
 /// for those that were edited themselves. No point may have changed its place.
 void keep_feet_on_curve(TransferFunction& tf, const TransferFunction& before);
 
+/// Edits opacities or colours with edit(), and then does that.
+template <class Edit>
+void edit_above_curve(TransferFunction& tf, const Edit& edit) {
+  const TransferFunction before = tf;
+  edit();
+  keep_feet_on_curve(tf, before);
+}
+
 }  // namespace crest

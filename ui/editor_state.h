@@ -56,6 +56,7 @@ struct EditorState {
   std::optional<std::size_t> hovered_peak;  ///< in the list of peaks, in this frame
   bool peak_rule = false;                   ///< the row of fields that say what a peak is
   EditorDrag drag;
+  TransferFunction before_width;  ///< when the drag of a peak's width began
   HistogramCache histogram;
   double menu_value = 0, menu_opacity = 0;  ///< where the right-click menu was opened
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "ui/curve_beneath.h"
 #include "ui/edit_peaks.h"
 #include "ui/number_field.h"
 #include "ui/style.h"
@@ -43,16 +44,19 @@ bool opacity_cell(TransferFunction& tf, const Peak& peak, std::size_t row, Widge
   };
   if (!drag_field(widgets, field_name(row, "opacity").c_str(), opacity, unit_interval, -1, dragged))
     return false;
-  for (const std::size_t i : top_of(peak)) {
-    if (tf.points[i].surface.opacity)
-      tf.points[i].surface.opacity = opacity;
-    else
-      tf.points[i].opacity = opacity;
-  }
+  edit_above_curve(tf, [&] {
+    for (const std::size_t i : top_of(peak)) {
+      if (tf.points[i].surface.opacity)
+        tf.points[i].surface.opacity = opacity;
+      else
+        tf.points[i].opacity = opacity;
+    }
+  });
   return true;
 }
 
-bool width_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetState& widgets) {
+bool width_cell(TransferFunction& tf, EditorState& editor, const Peak& peak, std::size_t row,
+                WidgetState& widgets) {
   if (!peak.detected) {
     ImGui::TextDisabled("-");
     return false;
@@ -64,8 +68,16 @@ bool width_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetS
     const double to = std::max(from, least) * std::pow(1.02, pixels);
     return to < least ? 0 : round_to_resolution(to, 0.1 * to);
   };
-  if (!drag_field(widgets, field_name(row, "width").c_str(), width, not_negative, -1, dragged)) return false;
-  set_peak_width(tf, peak, width);
+  const bool changed =
+      drag_field(widgets, field_name(row, "width").c_str(), width, not_negative, -1, dragged);
+  if (ImGui::IsItemActivated()) editor.before_width = tf;
+  if (!changed) return false;
+  // Each frame of a drag starts from the points at its beginning: flanks of no width have no proportions
+  if (ImGui::IsItemActive() && editor.before_width.points.size() == tf.points.size())
+    tf = editor.before_width;
+  const std::vector<Peak> peaks = find_peaks(tf);
+  const auto as_it_was = std::ranges::find(peaks, peak.first_point, &Peak::first_point);
+  set_peak_width(tf, as_it_was == peaks.end() ? peak : *as_it_was, width);
   return true;
 }
 
@@ -143,9 +155,11 @@ void kind_cell(const Peak& peak) {
 }
 
 bool color_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetState& widgets) {
-  if (!color_square(widgets, field_name(row, "color").c_str(), tf.points[peak.first_point].color))
-    return false;
-  for (const std::size_t i : top_of(peak)) tf.points[i].color = tf.points[peak.first_point].color;
+  glm::dvec3 color = tf.points[peak.first_point].color;
+  if (!color_square(widgets, field_name(row, "color").c_str(), color)) return false;
+  edit_above_curve(tf, [&] {
+    for (const std::size_t i : top_of(peak)) tf.points[i].color = color;
+  });
   return true;
 }
 
@@ -183,7 +197,7 @@ bool peak_row(TransferFunction& tf, EditorState& editor, WidgetState& widgets, s
   cell([&] { return color_cell(tf, peak, row, widgets); });
   cell([&] { return value_cell(tf, editor, peak, row, widgets); });
   cell([&] { return opacity_cell(tf, peak, row, widgets); });
-  cell([&] { return width_cell(tf, peak, row, widgets); });
+  cell([&] { return width_cell(tf, editor, peak, row, widgets); });
   cell([&] { return kind_cell(peak), false; });
   cell([&] { return action_cells(tf, editor, widgets, peaks, row); });
   return changed;

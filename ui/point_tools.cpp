@@ -6,6 +6,7 @@
 
 #include "ui/arrange_points.h"
 #include "ui/clipboard.h"
+#include "ui/curve_beneath.h"
 #include "ui/keys.h"
 #include "ui/number_field.h"
 
@@ -61,7 +62,7 @@ bool align_items(TransferFunction& tf, EditorState& editor, WidgetState& widgets
   if (menu("Align opacities")) {
     for (const auto& [text, alignment] : opacities)
       if (item(widgets, text)) {
-        align_opacities(tf, editor.selection, alignment);
+        edit_above_curve(tf, [&] { align_opacities(tf, editor.selection, alignment); });
         changed = true;
       }
     ImGui::EndMenu();
@@ -81,7 +82,7 @@ bool arrange_items(TransferFunction& tf, EditorState& editor, WidgetState& widge
   if (item(widgets, "Distribute values", nullptr, three))
     changed |= take(tf, editor, with_values_distributed(tf, editor.selection));
   if (item(widgets, "Opacities on a line", nullptr, three)) {
-    interpolate_opacities(tf, editor.selection);
+    edit_above_curve(tf, [&] { interpolate_opacities(tf, editor.selection); });
     changed = true;
   }
   if (item(widgets, "Mirror")) {
@@ -95,7 +96,9 @@ bool arrange_items(TransferFunction& tf, EditorState& editor, WidgetState& widge
   ImGui::SameLine();
   double factor = 1;
   if (number_field(widgets, "##opacity factor", factor, FieldRule{.min = 0, .max = 1e6}, scaled(70))) {
-    scale_opacities(tf, editor.selection.empty() ? everything(tf) : editor.selection, factor);
+    edit_above_curve(tf, [&] {
+      scale_opacities(tf, editor.selection.empty() ? everything(tf) : editor.selection, factor);
+    });
     changed = true;
   }
   tip("Of the selected points, or of all; 0 stays 0, and 1 is the most");

@@ -84,6 +84,27 @@ std::vector<Tile> parts_that_meet(const std::vector<Box>& boxes, const Box& rend
   return parts;
 }
 
+std::vector<Tile> PictureParts::that_meet(const std::vector<Box>& boxes, const Box& rendered,
+                                          const Camera& camera, glm::ivec2 size, Tile tile) {
+  constexpr std::size_t most_known = 8;  // four views, coarse and in full
+  const auto is_same = [&](const Known& one) {
+    return one.size == size && one.camera == camera && one.rendered == rendered && one.boxes == boxes;
+  };
+  auto found = std::ranges::find_if(known_, is_same);
+  if (found == known_.end()) {
+    if (known_.size() == most_known) known_.pop_back();
+    known_.push_front(
+        {boxes, rendered, camera, size, parts_that_meet(boxes, rendered, camera, size, Tile{{0, 0}, size})});
+    found = known_.begin();
+  }
+  std::vector<Tile> parts;
+  for (const Tile& whole : found->parts) {
+    const Tile part{glm::max(whole.begin, tile.begin), glm::min(whole.end, tile.end)};
+    if (part.begin.x < part.end.x && part.begin.y < part.end.y) parts.push_back(part);
+  }
+  return parts;
+}
+
 std::vector<Box> divided(const Box& box) {
   constexpr int n = 8;
   std::vector<Box> boxes;

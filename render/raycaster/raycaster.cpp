@@ -80,8 +80,9 @@ std::vector<Tile> Raycaster::drawn_parts(const Scene& scene, const Camera& camer
   if (target.has_counts()) return {tile};
   const Box box = rendered_box(scene.volume->grid, scene.rendering.clip_box);
   const ShownParts shown{scene, classification_of(resources_->held, scene), needs.needed, needs.tf_blur};
-  const std::vector<Box> boxes = needs.needed.skipping ? shown_boxes(resources_->held, shown) : divided(box);
-  return parts_that_meet(boxes, box, camera, target.size(), tile);
+  if (needs.needed.skipping)
+    return parts_.that_meet(shown_boxes(resources_->held, shown), box, camera, target.size(), tile);
+  return parts_.that_meet(divided(box), box, camera, target.size(), tile);
 }
 
 void Raycaster::draw_passes(const Scene& scene, const Camera& camera, const gl::RenderTarget& target,

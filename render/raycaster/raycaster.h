@@ -8,6 +8,7 @@
 
 #include "render/gl/handle.h"
 #include "render/gl/render_target.h"
+#include "render/raycaster/drawn_parts.h"
 #include "render/raycaster/need.h"
 #include "render/resources/resources.h"
 #include "render/scene/picture_cost.h"
@@ -61,6 +62,7 @@ class Raycaster {
   std::shared_ptr<Resources> resources_;
   gl::VertexArrayHandle vertex_array_;
   Forced forced_;
+  PictureParts parts_;
 };
 
 }  // namespace crest

@@ -15,10 +15,11 @@ constexpr int pick_bins = 64;
 
 }  // namespace
 
-ExactRays::ExactRays(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer)
+ExactRays::ExactRays(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
+                     std::shared_ptr<const reference::EmptyCells> known)
     : scene_(scene),
       camera_(camera),
-      solved_(reference::solved_scene<double>(scene_, answer, {}, true)),
+      solved_(reference::solved_scene<double>(scene_, answer, {}, true, std::move(known))),
       rays_(reference::pixel_rays(scene_.volume->grid, scene_.rendering.clip_box, camera, size)) {}
 
 ExactRay ExactRays::at(glm::ivec2 pixel) const {

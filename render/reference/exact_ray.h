@@ -33,8 +33,12 @@ struct ExactRay {
 /// Solves single rays of a picture.
 class ExactRays {
  public:
-  /// Throws Error for a camera that has no picture.
-  ExactRays(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer);
+  /// Throws Error for a camera that has no picture. `known`: of the volume, from rays that were made before.
+  ExactRays(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
+            std::shared_ptr<const reference::EmptyCells> known = {});
+  const std::shared_ptr<const reference::EmptyCells>& empty_cells() const {
+    return solved_.fields.empty_cells;
+  }
   /// The ray of a pixel, row 0 at the top.
   ExactRay at(glm::ivec2 pixel) const;
 

@@ -10,11 +10,15 @@ namespace crest::reference {
 namespace {
 
 /// The fields of the filters that the answer shows.
-VolumeFields fields_of(const Scene& scene, Answer answer) {
+VolumeFields fields_of(const Scene& scene, Answer answer, std::shared_ptr<const EmptyCells> known) {
   const auto [dvr, root] = filters_of(answer, scene.rendering);
   VolumeFields fields{*scene.volume, dvr, root, {}};
-  if (scene.volume->has_empty_cells())
-    fields.empty_cells = find_empty_cells(*scene.volume, std::max(radius_of(dvr), radius_of(root)));
+  if (!scene.volume->has_empty_cells()) return fields;
+  const int radius = std::max(radius_of(dvr), radius_of(root));
+  if (!known || known->volume != scene.volume.get() || known->radius != radius)
+    known = std::make_shared<const EmptyCells>(
+        EmptyCells{scene.volume.get(), radius, find_empty_cells(*scene.volume, radius)});
+  fields.empty_cells = std::move(known);
   return fields;
 }
 
@@ -31,8 +35,9 @@ Levels<Real> levels_of(const Scene& scene, Answer answer, std::span<const Peak> 
 }
 
 template <class Real>
-SolvedScene<Real> solved_scene(const Scene& scene, Answer answer, std::span<const double> cuts, bool apart) {
-  SolvedScene<Real> solved{fields_of(scene, answer), {}};
+SolvedScene<Real> solved_scene(const Scene& scene, Answer answer, std::span<const double> cuts, bool apart,
+                               std::shared_ptr<const EmptyCells> known) {
+  SolvedScene<Real> solved{fields_of(scene, answer, std::move(known)), {}};
   FieldLevels<Real>& levels = solved.levels;
   std::vector<Peak> surfaces;
   if (answer != Answer::integral) surfaces = classify(scene.tf, surface_range(scene)).surfaces;
@@ -44,7 +49,9 @@ SolvedScene<Real> solved_scene(const Scene& scene, Answer answer, std::span<cons
 
 template Levels<double> levels_of(const Scene&, Answer, std::span<const Peak>, std::span<const double>);
 template Levels<float> levels_of(const Scene&, Answer, std::span<const Peak>, std::span<const double>);
-template SolvedScene<double> solved_scene(const Scene&, Answer, std::span<const double>, bool);
-template SolvedScene<float> solved_scene(const Scene&, Answer, std::span<const double>, bool);
+template SolvedScene<double> solved_scene(const Scene&, Answer, std::span<const double>, bool,
+                                          std::shared_ptr<const EmptyCells>);
+template SolvedScene<float> solved_scene(const Scene&, Answer, std::span<const double>, bool,
+                                         std::shared_ptr<const EmptyCells>);
 
 }  // namespace crest::reference

@@ -20,9 +20,10 @@ struct SolvedScene {
   VolumeFields fields;
   FieldLevels<Real> levels;
 };
-/// `apart`: surfaces are solved on their own also where they lie in the field that is integrated.
+/// `apart`: surfaces are solved on their own also where they lie in the field that is integrated. To find
+/// empty cells takes a look at all voxels: `known` are used again where they are this volume's.
 template <class Real>
 SolvedScene<Real> solved_scene(const Scene& scene, Answer answer, std::span<const double> cuts = {},
-                               bool apart = false);
+                               bool apart = false, std::shared_ptr<const EmptyCells> known = {});
 
 }  // namespace crest::reference

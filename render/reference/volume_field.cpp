@@ -17,7 +17,7 @@ void visit_cells(const VolumeFields& fields, const PixelRay<Real>& ray, Visit&& 
     const std::size_t index =
         std::size_t(at.cell.x) +
         std::size_t(cells.x) * (std::size_t(at.cell.y) + std::size_t(cells.y) * std::size_t(at.cell.z));
-    return visit(at, !fields.empty_cells.empty() && fields.empty_cells[index] != 0);
+    return visit(at, fields.empty_cells && fields.empty_cells->cells[index] != 0);
   });
 }
 

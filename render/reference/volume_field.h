@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "render/reference/pixel_ray.h"
@@ -11,13 +12,18 @@
 
 namespace crest::reference {
 
+/// For each cell of a volume, x fastest, whether it is empty for filters of this radius (find_empty_cells).
+struct EmptyCells {
+  const Volume* volume;  ///< whose they are; not looked into
+  int radius;
+  std::vector<std::uint8_t> cells;
+};
+
 /// A volume's field, or two: of one filter what is integrated, of the other that in which surfaces lie.
 struct VolumeFields {
   const Volume& volume;
   FieldFilter dvr, root;
-  /// For each cell, x fastest, whether it is empty: with a filter of radius 2 more are than those with a
-  /// corner without a value (find_empty_cells). Without an entry, none is.
-  std::vector<std::uint8_t> empty_cells;
+  std::shared_ptr<const EmptyCells> empty_cells;  ///< null: none is
 };
 
 /// What is solved along a ray: the TF, and the surfaces among its levels; or, where these lie in another

@@ -40,7 +40,7 @@ struct CellsKey : VolumeKey {
   std::shared_ptr<const Occupancy> occupancy;  ///< null where nothing is skipped
   bool operator==(const CellsKey& other) const {
     return VolumeKey::operator==(other) && bool(occupancy) == bool(other.occupancy) &&
-           (!occupancy || occupancy->cells == other.occupancy->cells);
+           (occupancy == other.occupancy || occupancy->cells == other.occupancy->cells);
   }
 };
 

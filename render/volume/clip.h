@@ -12,6 +12,7 @@ namespace crest {
 struct Box {
   glm::dvec3 min{0}, max{0};
   bool is_empty() const { return max.x < min.x || max.y < min.y || max.z < min.z; }
+  bool operator==(const Box&) const = default;
 };
 
 /// The part of the volume's box that is rendered.

@@ -64,6 +64,33 @@ TEST(DrawnParts, HoldEveryRayThatMeetsABoxOnce) {
   EXPECT_GT(left_out, 300 * size.x * size.y / 4);
 }
 
+// Tile by tile, two pictures in turn, and after the boxes changed.
+TEST(DrawnParts, AreTheSameWhereTheyAreKept) {
+  PictureParts kept;
+  const Box box{glm::dvec3(-1), glm::dvec3(1)};
+  Camera camera;
+  camera.eye = {2.9, -5.2, 2.6};
+  camera.fov_y_degrees = 30;
+  Camera other = camera;
+  other.eye.x = 0;
+  const glm::ivec2 size(200, 120);
+  std::vector<Box> boxes = divided(box);
+  for (int round = 0; round < 2; ++round) {
+    for (int row = 0; row < size.y; row += 37)
+      for (const Camera& eye : {camera, other}) {
+        const Tile tile{{0, row}, {size.x, std::min(row + 37, size.y)}};
+        const auto whole = parts_that_meet(boxes, box, eye, size, tile),
+                   part = kept.that_meet(boxes, box, eye, size, tile);
+        ASSERT_EQ(whole.size(), part.size());
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+          EXPECT_EQ(whole[i].begin, part[i].begin);
+          EXPECT_EQ(whole[i].end, part[i].end);
+        }
+      }
+    boxes.resize(boxes.size() / 2);
+  }
+}
+
 TEST(DrawnParts, FollowTheOutlineOfADividedBox) {
   const Box box{glm::dvec3(-1), glm::dvec3(1)};
   Camera camera;

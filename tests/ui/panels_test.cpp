@@ -83,6 +83,29 @@ TEST_F(Panels, ThePeakUnderTheMouseIsLit) {
   EXPECT_FALSE(requests.lit_points);
 }
 
+TEST_F(Panels, AWidthThatIsDraggedToNothingAndBackKeepsItsShape) {
+  tf().points = points_of({{0, 0}, {40, 0}, {50, 0.9}, {52, 0}, {100, 0}});
+  frames(3);
+  const ImVec2 place = center_of("##peak0.width");
+  move_to(place);
+  frames(2);
+  press();
+  frame();
+  for (const float shift : {-200.0F, -1500.0F}) {
+    move_to({place.x + shift, place.y});
+    frame();
+  }
+  EXPECT_EQ(tf().points[3].value, tf().points[1].value) << "no width";
+  move_to({place.x + 4, place.y});
+  frame();
+  release();
+  frame();
+  const double left = tf().points[2].value - tf().points[1].value,
+               right = tf().points[3].value - tf().points[2].value;
+  EXPECT_NEAR(left / right, 5, 1e-9);
+  EXPECT_GT(left + right, 12);
+}
+
 TEST_F(Panels, AClickInTheListSelectsThePoint) {
   state->editor.selection = {0};
   const auto& [low, high] = state->widgets.items.at("peak0");
