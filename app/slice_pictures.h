@@ -16,7 +16,10 @@ class SlicePictures {
   /// Throws Error where the driver has no room.
   void update(Resources& resources, const Scene& scene, const SlicesWanted& wanted);
   std::array<std::uintptr_t, slice_count> textures() const;  ///< 0 while there is none
-  void clear() { *this = {}; }
+  /// Lets go of the volume; the textures stay, since the frame that is being drawn may name them.
+  void forget() {
+    for (Picture& picture : pictures_) picture.scene.reset();
+  }
 
  private:
   struct Picture {

@@ -112,7 +112,8 @@ class Studio {
   SweepSubject choice_subject(glm::ivec2 size) const;
   void take_choice();
   void update_choice(const StudioRequests& requests);
-  ViewRequest view_request(const ViewContent& content, const LitPoints& lit, ShownPicture shown_by_all_views,
+  Scene scene_of(const ViewContent& content, const Scene& own) const;
+  ViewRequest view_request(const ViewContent& content, const Scene& own, ShownPicture shown_by_all_views,
                            glm::ivec2 size) const;
   void save_picture(const PictureAsk& ask);
   void take_saved_picture();

@@ -87,7 +87,7 @@ void Studio::leave_volume() {
   if (!loading_for_document_ && loaded_.volume)
     last_volume_ = last_volume(*loaded_.volume, document_.preset.transfer_function, matters_.values());
   rays_.forget();
-  slices_.clear();
+  slices_.forget();
   ui_->ray = {};
   picked_.reset();
 }
@@ -309,10 +309,11 @@ void Studio::save_picture(const PictureAsk& ask) {
   job.preset = preset_for_picture(
       ask.view < 0 ? document_.preset : preset_of(views.contents[std::size_t(ask.view)], document_.preset),
       job.camera);
+  const Scene own = make_scene(loaded_.volume, document_.preset);
   for (int i = 0; i < view_count; ++i) {
     if (ask.view != i && (ask.view >= 0 || i >= views.count)) continue;
     const ViewContent& content = views.contents[std::size_t(i)];
-    const ViewRequest request = view_request(content, {}, shown_by_all(views), ask.size);
+    const ViewRequest request = view_request(content, own, shown_by_all(views), ask.size);
     if (request.error_bound)
       return say("How far pixels may be off is saved by crest render --exact --error-bound FILE", true);
     job.views.push_back({request.scene, text_of(content)});

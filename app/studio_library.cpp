@@ -93,7 +93,8 @@ std::vector<ThumbnailJob> Studio::library_jobs() {
     library_[i].picture = thumbnails_.texture(key);
     if (library_[i].picture == 0 && jobs.size() < most_jobs)
       jobs.push_back(
-          {std::move(key), loaded_.volume, stand_in, parse_preset(library_texts_[i], library_[i].name)});
+          {std::move(key), loaded_.volume, stand_in,
+           [text = library_texts_[i], name = library_[i].name] { return parse_preset(text, name); }});
   }
   return jobs;
 }

@@ -56,7 +56,8 @@ void Studio::want_thumbnails(const StudioRequests& requests) {
   if (requests.shows_start_page)
     for (const Example& example : examples())
       if (std::string key = example_key(example); thumbnails_.texture(key) == 0)
-        jobs.push_back({std::move(key), nullptr, example.volume, load_preset(example.preset)});
+        jobs.push_back(
+            {std::move(key), nullptr, example.volume, [name = example.preset] { return load_preset(name); }});
   if (requests.shows_library)
     for (ThumbnailJob& job : library_jobs()) jobs.push_back(std::move(job));
   thumbnail_maker_.want(std::move(jobs));

@@ -32,12 +32,13 @@ struct Offscreen {
 
   Thumbnail draw(const ThumbnailJob& job) {
     open(job);
-    Scene scene = make_scene(original, job.preset);  // its unit may be the original's voxels
+    const Preset preset = job.read_preset();
+    Scene scene = make_scene(original, preset);  // its unit may be the original's voxels
     scene.volume = small;
     const double aspect = double(thumbnail_size.x) / thumbnail_size.y;
     gl::RenderTarget target(thumbnail_size, false);
     renderer.draw(scene, whole_volume_camera(small->grid, aspect), target);
-    return thumbnail_of(target.read_color(), glm::vec3(job.preset.rendering.background));
+    return thumbnail_of(target.read_color(), glm::vec3(preset.rendering.background));
   }
 };
 

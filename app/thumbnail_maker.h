@@ -20,7 +20,7 @@ struct ThumbnailJob {
   std::string key;
   std::shared_ptr<const Volume> volume;  ///< without one, `source` is read
   std::string source;
-  Preset preset;
+  std::function<Preset()> read_preset;  ///< called in the thread
 };
 
 /// Makes thumbnails beside the window, in a thread that is there while there is work. No call waits for it.

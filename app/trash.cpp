@@ -66,11 +66,13 @@ void move_to_trash(const fs::path& file, const fs::path& data_home) {
   std::error_code error;
   if (!fs::exists(fs::symlink_status(file, error))) fail(file, "there is no such file");
   const fs::path trash = data_home / "Trash";
+  const bool is_new = !fs::exists(trash, error);
   for (const char* part : {"files", "info"}) {
     fs::create_directories(trash / part, error);
     if (error) fail(file, error.message());
   }
-  fs::permissions(trash, fs::perms::owner_all, error);  // what lies there is nobody else's business
+  if (is_new)
+    fs::permissions(trash, fs::perms::owner_all, error);  // what lies there is nobody else's business
   const fs::path name = claim_name(trash, file);
   fs::rename(file, trash / "files" / name, error);
   if (!error) return;

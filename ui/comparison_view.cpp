@@ -69,7 +69,7 @@ void other_items(int index, StudioState& state, const StudioInputs& inputs, cons
   ViewContent exact = own, as_set = own;
   exact.picture = ShownPicture::exact;
   as_set.picture = ShownPicture::as_set;
-  const bool has_exact = why_not_exact(preset_of(own, preset).rendering).empty();
+  const bool has_exact = why_not_exact(rendering_of(own, preset)).empty();
   const ShownPicture shown = own.picture.value_or(shown_by_all(views));
   if (has_exact && shown != ShownPicture::exact) item("Its exact picture", "with exact", exact);
   if (has_exact && shown != ShownPicture::as_set) item("Its picture as set", "with as set", as_set);

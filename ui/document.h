@@ -22,4 +22,10 @@ std::string preset_label(const Document& document);
 /// Whether two are the same file, the same preset of the library, or both new ones.
 bool is_same_preset_file(const Document& a, const Document& b);
 
+/// Whether what was opened last is a preset; else it is a volume.
+bool is_preset_name(const std::string& source);
+
+/// What is behind the last slash, if anything is.
+std::string file_name(const std::string& source);
+
 }  // namespace crest

@@ -9,11 +9,6 @@
 namespace crest {
 namespace {
 
-std::string file_name(const std::string& source) {
-  const std::size_t slash = source.rfind('/');
-  return slash == source.npos || slash + 1 == source.size() ? source : source.substr(slash + 1);
-}
-
 /// Of a preset that came in whole.
 std::string describe_opening(const Document& after) {
   if (!after.preset_path.empty() || !after.library_name.empty())

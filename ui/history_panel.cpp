@@ -6,15 +6,10 @@
 
 #include "ui/document_changes.h"
 #include "ui/style.h"
+#include "ui/widgets.h"
 
 namespace crest {
 namespace {
-
-void heading(const char* text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, palette::accent);
-  ImGui::TextUnformatted(text);
-  ImGui::PopStyleColor();
-}
 
 void what_is_not_saved(const Document& document, const StudioInputs& inputs) {
   heading("Changed since it was saved");

@@ -35,8 +35,6 @@ bool menu(StudioState& state, const char* text) {
   return open;
 }
 
-bool is_preset(const std::string& file) { return file.ends_with(".json"); }
-
 void save(Document& document, StudioState& state, StudioRequests& requests) {
   if (document.preset_path.empty())
     ask_for_file(state, document, FilePurpose::save_preset);
@@ -51,7 +49,7 @@ void recent_files(StudioState& state, const StudioInputs& inputs, StudioRequests
   if (!menu(state, presets ? "Recent presets" : "Recent volumes")) return;
   bool any = false;
   for (const std::string& file : inputs.recent) {
-    if (is_preset(file) != presets) continue;
+    if (is_preset_name(file) != presets) continue;
     any = true;
     if (item(state, file.c_str())) (presets ? requests.open_preset : requests.open_volume) = file;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plot.h"
 #include "ui/point_tools.h"
 #include "ui/style.h"
 #include "ui/transfer_function_editor.h"
@@ -88,9 +89,7 @@ bool peak_item(Document& document, StudioState& state, const StudioInputs& input
   note_item(state.widgets, "make peak");
   if (!chosen) return false;
   TransferFunction& tf = document.preset.transfer_function;
-  const ValueRange range = inputs.volume->statistics.range;
-  const double in_domain =
-      tf.domain == Domain::normalized && range.width() > 0 ? (value - range.min) / range.width() : value;
+  const double in_domain = data_to_domain(tf, inputs.volume->statistics.range)(value);
   const ValueRange visible = state.editor.visible.value_or(axis_range(tf, inputs.volume));
   return add_shape(tf, state.editor, Shape::spike, in_domain, picked_opacity, visible);
 }

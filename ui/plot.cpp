@@ -144,6 +144,12 @@ void draw_axes(ImDrawList& list, const Plot& plot) {
   draw_value_axis(list, plot);
 }
 
+ValueMap data_to_domain(const TransferFunction& tf, ValueRange data) {
+  if (tf.domain == Domain::data) return {};
+  const double width = data.width() > 0 ? data.width() : 1;
+  return {-data.min / width, 1 / width};
+}
+
 void draw_columns(ImDrawList& list, const Plot& plot, ValueRange range, std::span<const float> heights,
                   glm::dvec3 color, double alpha, ValueMap to_domain) {
   const double columns = double(heights.size());

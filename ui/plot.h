@@ -35,6 +35,10 @@ struct ValueMap {
   double offset = 0, scale = 1;
   double operator()(double v) const { return offset + scale * v; }
 };
+
+/// From the volume's values to the TF's.
+ValueMap data_to_domain(const TransferFunction& tf, ValueRange data);
+
 /// How high a column of height 1 is, as a share of the plot's height.
 inline constexpr float column_share = 0.94F;
 /// Equal columns over a range of the volume's values as one filled shape.

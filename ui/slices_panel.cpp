@@ -8,6 +8,7 @@
 
 #include "render/volume/probe.h"
 #include "ui/edit_points.h"
+#include "ui/plot.h"
 #include "ui/point_tools.h"
 #include "ui/style.h"
 #include "ui/transfer_function_editor.h"
@@ -97,8 +98,8 @@ bool probe(Document& document, StudioState& state, const StudioInputs& inputs) {
   bool changed = false;
   if (value && ImGui::Button("Add a spike here")) {
     TransferFunction& tf = document.preset.transfer_function;
-    const ValueRange range = with_width(volume.statistics.range), axis = axis_range(tf, inputs.volume);
-    const double on_axis = tf.domain == Domain::data ? *value : (*value - range.min) / range.width();
+    const ValueRange axis = axis_range(tf, inputs.volume);
+    const double on_axis = data_to_domain(tf, volume.statistics.range)(*value);
     changed = add_shape(tf, state.editor, Shape::spike, round_to_resolution(on_axis, 1e-4 * axis.width()),
                         0.8, axis);
   }

@@ -10,8 +10,6 @@
 namespace crest {
 namespace {
 
-bool is_preset(const std::string& file) { return file.ends_with(".json"); }
-
 /// "head.nrrd", "/scans" of "/scans/head.nrrd"; a query stays with the name.
 std::pair<std::string, std::string> name_and_folder(const std::string& source) {
   const std::size_t slash = source.substr(0, source.find('?')).rfind('/');
@@ -19,11 +17,9 @@ std::pair<std::string, std::string> name_and_folder(const std::string& source) {
   return {source.substr(slash + 1), source.substr(0, std::max<std::size_t>(slash, 1))};
 }
 
-void heading(const char* text) {
+void section(const char* text) {
   ImGui::Dummy({0, scaled(10)});
-  ImGui::PushStyleColor(ImGuiCol_Text, palette::accent);
-  ImGui::TextUnformatted(text);
-  ImGui::PopStyleColor();
+  heading(text);
   ImGui::Dummy({0, scaled(2)});
 }
 
@@ -72,10 +68,12 @@ void recent_cards(StudioState& state, const StudioInputs& inputs, StudioRequests
     place_card(i, columns);
     const Card what{fmt::format("recent/{}", i),
                     at < inputs.recent_pictures.size() ? inputs.recent_pictures[at] : 0, name,
-                    folder.empty() ? "built-in volume"
-                                   : fmt::format("{} in {}", is_preset(source) ? "preset" : "volume", folder),
+                    folder.empty()
+                        ? "built-in volume"
+                        : fmt::format("{} in {}", is_preset_name(source) ? "preset" : "volume", folder),
                     source};
-    if (card(state.widgets, what)) (is_preset(source) ? requests.open_preset : requests.open_volume) = source;
+    if (card(state.widgets, what))
+      (is_preset_name(source) ? requests.open_preset : requests.open_volume) = source;
   }
 }
 
@@ -88,10 +86,10 @@ void start_page(const Document& document, StudioState& state, const StudioInputs
   ImGui::BeginChild("start page", {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
   opening(document, state);
-  heading("Examples");
+  section("Examples");
   example_cards(state, inputs, requests);
   if (!inputs.recent.empty()) {
-    heading("Recent");
+    section("Recent");
     recent_cards(state, inputs, requests);
   }
   ImGui::EndChild();

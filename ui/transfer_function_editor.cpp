@@ -20,12 +20,6 @@ namespace {
 
 ValueRange volume_range(const Volume* volume) { return volume ? volume->statistics.range : ValueRange{0, 1}; }
 
-ValueMap data_to_domain(const TransferFunction& tf, ValueRange data) {
-  if (tf.domain == Domain::data) return {};
-  const double width = data.width() > 0 ? data.width() : 1;
-  return {-data.min / width, 1 / width};
-}
-
 Plot make_plot(const EditorState& editor, ImVec2 corner, ImVec2 size, ValueRange visible) {
   Plot plot;
   const float gutter = scaled(42), strip = axis_ticks(visible, 8).offset.empty() ? scaled(28) : scaled(44);

@@ -170,6 +170,7 @@ void draw_value_curve(ImDrawList& list, const Plot& plot, EditorState& editor, c
 }
 
 std::string value_curve_text(const EditorState& editor, const StudioInputs& inputs, double value) {
+  if (editor.value_curve <= ValueCurve::log_values) return "";  // counts depend on the zoom
   const Columns columns = columns_of(editor, inputs);
   const double width = columns.range.width();
   if (columns.of_bin.empty() || !(width > 0) || value < columns.range.min || value > columns.range.max)

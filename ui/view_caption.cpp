@@ -104,9 +104,6 @@ void content_menu(int index, StudioState& state, const StudioInputs& inputs, con
   }
 }
 
-/// Of a path; a name from the library stays as it is.
-std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
-
 /// Room for a triangle behind a button's text.
 std::string with_arrow(const std::string& text) { return text + "    "; }
 
@@ -150,7 +147,7 @@ bool other_preset_menu(StudioState& state, const StudioInputs& inputs, const Pre
     choose(std::string(one.name), [&] { return load_preset(std::string(one.name)); });
   bool any = false;
   for (const std::string& file : inputs.recent) {
-    if (!file.ends_with(".json")) continue;
+    if (!is_preset_name(file)) continue;
     if (!std::exchange(any, true)) ImGui::Separator();
     choose(file, [&] { return load_preset(file); });
   }
@@ -201,8 +198,7 @@ void view_caption(int index, StudioState& state, const StudioInputs& inputs, con
   ImGui::SameLine(0, scaled(4));
   if (ImGui::SmallButton(action)) state.views.enlarged = enlarged ? -1 : index;
   note_item(state.widgets, fmt::format("enlarge{}", index));
-  explanation(preset_of(content, preset).rendering, content.picture.value_or(shown_by_all(state.views)),
-              view);
+  explanation(rendering_of(content, preset), content.picture.value_or(shown_by_all(state.views)), view);
 }
 
 }  // namespace crest

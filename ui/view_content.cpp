@@ -11,10 +11,15 @@ std::array<ViewContent, view_count> contents_of_modes() {
   return contents;
 }
 
+Rendering rendering_of(const ViewContent& content, const Preset& documents) {
+  Rendering rendering = (content.other ? content.other->preset : documents).rendering;
+  rendering.engine = content.engine.value_or(rendering.engine);
+  return in_mode(rendering, content.mode);
+}
+
 Preset preset_of(const ViewContent& content, const Preset& documents) {
   Preset preset = content.other ? content.other->preset : documents;
-  preset.rendering.engine = content.engine.value_or(preset.rendering.engine);
-  preset.rendering = in_mode(preset.rendering, content.mode);
+  preset.rendering = rendering_of(content, documents);
   return preset;
 }
 

@@ -36,7 +36,10 @@ struct ViewContent {
 /// The four modes of the document's preset.
 std::array<ViewContent, view_count> contents_of_modes();
 
-/// The preset that it shows, in its mode and by its engine.
+/// The settings of the preset that it shows, in its mode and by its engine.
+Rendering rendering_of(const ViewContent& content, const Preset& documents);
+
+/// That preset, with these settings.
 Preset preset_of(const ViewContent& content, const Preset& documents);
 
 /// "Surfaces + volume, VDLS, exact, snapshot 2": what tells it from the document's preset in the same mode.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "ui/style.h"
+
 namespace crest {
 
 std::string short_text(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
@@ -69,6 +71,12 @@ bool choice(WidgetState& state, const char* name, int& value, std::span<const st
   }
   ImGui::EndCombo();
   return std::size_t(value) != now;
+}
+
+void heading(const char* text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::accent);
+  ImGui::TextUnformatted(text);
+  ImGui::PopStyleColor();
 }
 
 void field_label(const char* text) {

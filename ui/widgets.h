@@ -97,6 +97,8 @@ bool choice(WidgetState& state, const char* name, Enum& value, float width) {
   return true;
 }
 
+/// A heading above what belongs together.
+void heading(const char* text);
 /// Text before a field, in line with it; dim.
 void field_label(const char* text);
 /// A tooltip for the last item.

@@ -17,11 +17,7 @@ DisplayTexture::DisplayTexture(glm::ivec2 size) : size_(size) {
   glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture_.id(), 0);
 }
 
-Presenter::Presenter() : program_(build_fullscreen_program("present.frag", {})) {
-  GLuint id = 0;
-  glCreateVertexArrays(1, &id);
-  vertex_array_ = VertexArrayHandle(id);
-}
+Presenter::Presenter() : program_(build_fullscreen_program("present.frag", {})) {}
 
 void Presenter::present(const RenderTarget& from, DisplayTexture& to, glm::vec3 background, int first_row,
                         int last_row) {
@@ -67,15 +63,10 @@ void Presenter::present_difference(Side a, Side b, DisplayTexture& to, double am
 }
 
 void Presenter::draw(GLuint program, DisplayTexture& to, int first_row, int last_row) {
-  glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer());
-  glViewport(0, 0, to.size().x, to.size().y);
+  begin_whole_target(to.framebuffer(), to.size());
   glScissor(0, first_row, to.size().x, last_row - first_row);
   glEnable(GL_SCISSOR_TEST);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glUseProgram(program);
-  glBindVertexArray(vertex_array_.id());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  triangle_.draw(program);
   glDisable(GL_SCISSOR_TEST);
 }
 

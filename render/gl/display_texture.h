@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "render/gl/fullscreen.h"
 #include "render/gl/handle.h"
 #include "render/gl/render_target.h"
 
@@ -48,7 +49,7 @@ class Presenter {
 
   ProgramHandle program_;
   std::optional<ProgramHandle> error_program_, difference_program_;  ///< once they were needed
-  VertexArrayHandle vertex_array_;
+  FullscreenTriangle triangle_;
 };
 
 }  // namespace crest::gl

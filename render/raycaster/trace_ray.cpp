@@ -7,6 +7,7 @@
 
 #include "presets/choices.h"
 #include "presets/error.h"
+#include "render/gl/fullscreen.h"
 #include "render/gl/uniforms.h"
 #include "render/raycaster/bindings.h"
 #include "render/resources/classification.h"
@@ -28,17 +29,8 @@ void draw_traces(Resources& resources, const Scene& scene, const Camera& camera,
   set_view(id, scene, camera, size);
   set(id, "traced_pixel", glm::vec2(pixel) + 0.5F);
   set(id, "trace_width", target.size().x);
-  GLuint array = 0;
-  glCreateVertexArrays(1, &array);
-  const gl::VertexArrayHandle vertex_array(array);
-  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-  glViewport(0, 0, target.size().x, target.size().y);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  glBindVertexArray(array);
-  glUseProgram(id);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  gl::begin_whole_target(target.framebuffer(), target.size());
+  gl::FullscreenTriangle().draw(id);
 }
 
 }  // namespace

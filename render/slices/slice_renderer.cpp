@@ -66,12 +66,6 @@ void place(GLuint program, const Grid& grid, const Slice& slice, glm::ivec2 size
 
 }  // namespace
 
-SliceRenderer::SliceRenderer() {
-  GLuint id = 0;
-  glCreateVertexArrays(1, &id);
-  vertex_array_ = gl::VertexArrayHandle(id);
-}
-
 void SliceRenderer::draw(Resources& resources, const Scene& scene, const Slice& slice,
                          gl::DisplayTexture& to) {
   resources.held.begin_round();
@@ -81,15 +75,8 @@ void SliceRenderer::draw(Resources& resources, const Scene& scene, const Slice& 
   bind(resources.held, program, scene, features);
   set_view(program, scene, whole_volume_camera(scene.volume->grid, 1), to.size());
   place(program, scene.volume->grid, slice, to.size());
-  glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer());
-  glViewport(0, 0, to.size().x, to.size().y);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  glUseProgram(program);
-  glBindVertexArray(vertex_array_.id());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  gl::begin_whole_target(to.framebuffer(), to.size());
+  triangle_.draw(program);
 }
 
 }  // namespace crest

@@ -13,13 +13,11 @@ namespace crest {
 /// linear, and to first order elsewhere. A GL 4.5 context must be current throughout.
 class SliceRenderer {
  public:
-  SliceRenderer();
-
   /// Fills `to`. Throws Error.
   void draw(Resources& resources, const Scene& scene, const Slice& slice, gl::DisplayTexture& to);
 
  private:
-  gl::VertexArrayHandle vertex_array_;
+  gl::FullscreenTriangle triangle_;
 };
 
 }  // namespace crest

@@ -185,8 +185,8 @@ TEST_F(Maker, WhatFailsIsNotTriedAgain) {
 TEST(MakerOffscreen, DrawsAPresetOnAVolume) {
   ThumbnailMaker maker;
   const auto volume = std::make_shared<const Volume>(make_builtin("sphere?n=24"));
-  maker.want({{"given", volume, "", load_preset("onion")},
-              {"read", nullptr, "builtin:sphere?n=24", load_preset("onion")}});
+  const auto onion = [] { return load_preset("onion"); };
+  maker.want({{"given", volume, "", onion}, {"read", nullptr, "builtin:sphere?n=24", onion}});
   std::vector<ThumbnailMaker::Made> made;
   while (maker.is_busy()) {
     for (auto& one : maker.take()) made.push_back(std::move(one));

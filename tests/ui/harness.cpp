@@ -40,6 +40,12 @@ std::vector<ControlPoint> points_of(std::initializer_list<std::pair<double, doub
   return points;
 }
 
+TransferFunction tf_of(std::initializer_list<std::pair<double, double>> places) {
+  TransferFunction tf;
+  tf.points = points_of(places);
+  return tf;
+}
+
 Studio::Studio() {
   ImGui::CreateContext();
   apply_style(1);
@@ -112,6 +118,13 @@ void Studio::click(ImVec2 place, int button) {
   press(button);
   release(button);
   frames(30);  // longer than a double click
+}
+
+StudioRequests Studio::press_on(const std::string& item) {
+  move_to(center_of(item));
+  press();
+  release();
+  return requests;
 }
 
 void Studio::double_click(ImVec2 place) {

@@ -19,6 +19,8 @@ Volume bump_volume(int n = 12);
 /// Points from (value, opacity) pairs, white.
 std::vector<ControlPoint> points_of(std::initializer_list<std::pair<double, double>> places);
 
+TransferFunction tf_of(std::initializer_list<std::pair<double, double>> places);
+
 /// The studio without a window: Dear ImGui is given a mouse and keys, and each frame is drawn into nothing.
 /// Peaks are found between frames, as the program does.
 class Studio : public ::testing::Test {
@@ -36,6 +38,7 @@ class Studio : public ::testing::Test {
   void release(int button = 0);
   void click(ImVec2 place, int button = 0);
   void click(const std::string& item, int button = 0) { click(center_of(item), button); }
+  StudioRequests press_on(const std::string& item);  ///< what a click asks for, in its last frame
   void double_click(ImVec2 place);
   void drag(ImVec2 from, ImVec2 to, int button = 0);
   void wheel(float notches);

@@ -16,12 +16,6 @@ class Library : public Studio {
     EXPECT_TRUE(ctrl('L').reads_library);
     frames(3);
   }
-  StudioRequests press_on(const std::string& item) {
-    move_to(center_of(item));
-    press();
-    release();
-    return requests;
-  }
   void search(const std::string& text) {
     click("library search");
     ctrl('A');

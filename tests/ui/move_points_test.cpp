@@ -11,12 +11,7 @@ namespace crest {
 namespace {
 
 using test::points_of;
-
-TransferFunction tf_of(std::initializer_list<std::pair<double, double>> places) {
-  TransferFunction tf;
-  tf.points = points_of(places);
-  return tf;
-}
+using test::tf_of;
 
 bool is_ordered(const std::vector<ControlPoint>& points) {
   return std::ranges::is_sorted(points, {}, &ControlPoint::value);

@@ -14,12 +14,7 @@ namespace crest {
 namespace {
 
 using test::points_of;
-
-TransferFunction tf_of(std::initializer_list<std::pair<double, double>> places) {
-  TransferFunction tf;
-  tf.points = points_of(places);
-  return tf;
-}
+using test::tf_of;
 
 TEST(Shapes, StandOnTheCurveAndLeaveTheRest) {
   const TransferFunction ramp = tf_of({{0, 0}, {100, 0.5}});

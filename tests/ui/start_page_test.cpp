@@ -15,12 +15,6 @@ class StartPage : public Studio {
     inputs.recent = {"/scans/head.nrrd?component=0", "builtin:gyroid", "/p/mine.json"};
     frames(3);
   }
-  StudioRequests press_on(const std::string& item) {
-    move_to(center_of(item));
-    press();
-    release();
-    return requests;
-  }
 };
 
 TEST_F(StartPage, StandsInPlaceOfTheViewsWhileNoVolumeIsOpen) {

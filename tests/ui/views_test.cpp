@@ -1,139 +1,117 @@
 #include <fmt/core.h>
 
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "render/scene/camera.h"
 #include "tests/ui/harness.h"
 
 namespace crest::test {
 namespace {
 
-/// What the views show, and two pictures beside each other.
-class Compare : public Studio {
- protected:
-  Compare() {
-    for (std::size_t i = 0; i < picture_count; ++i) inputs.views[i].texture = 100 + i;
-    frames(2);
-  }
-  void choose(const std::string& menu, const std::string& entry) {
-    click(menu);
-    frames(2);
-    click(entry);
-    frames(2);
-  }
-  const Comparison& asked() const { return *requests.comparison; }
-};
+using Views = Studio;
 
-TEST_F(Compare, AViewShowsAnotherMode) {
-  choose("content0", fmt::format("show/{}", name_of(Mode::both)));
-  EXPECT_EQ(requests.contents[0].mode, Mode::both);
-  EXPECT_EQ(requests.contents[1].mode, Mode::peak_only);
-  EXPECT_EQ(document.preset.rendering.mode, Preset{}.rendering.mode) << "the preset's stays";
+double distance(const Camera& camera) { return glm::length(camera.eye - camera.target); }
+
+TEST_F(Views, FourPicturesOfAboutTheSameSize) {
+  for (const glm::ivec2 size : requests.view_pixels) {
+    EXPECT_NEAR(size.x, 540, 40);
+    EXPECT_NEAR(size.y, 500, 40);
+  }
 }
 
-TEST_F(Compare, AViewHasAnEngineAndAPresetOfItsOwn) {
-  click("content0");
-  frames(2);
-  click("Engine");
-  frames(2);
-  click("View-dependent layers (VDLS)");
-  frames(2);
-  EXPECT_EQ(requests.contents[0].engine, Engine::vdls);
-  EXPECT_EQ(preset_of(requests.contents[0], document.preset).rendering.engine, Engine::vdls);
-  EXPECT_EQ(preset_of(requests.contents[1], document.preset).rendering.engine, Engine::raycaster);
-  click("content1");
-  frames(2);
-  click("Preset");
-  frames(2);
-  click("other/onion");
-  frames(2);
-  ASSERT_TRUE(requests.contents[1].other);
-  EXPECT_EQ(preset_of(requests.contents[1], document.preset).name, requests.contents[1].other->preset.name);
-  EXPECT_EQ(preset_of(requests.contents[1], document.preset).rendering.mode, Mode::peak_only);
-}
-
-TEST_F(Compare, ALineIsDraggedAndTheCameraStays) {
-  choose("compare0", "with view2");
-  ASSERT_TRUE(requests.comparison);
-  EXPECT_EQ(asked().view, 0);
-  EXPECT_EQ(asked().with, requests.contents[2]);
-  const auto [low, high] = state->widgets.items.at("view0");
-  const ImVec2 middle = center_of("view0");
-  drag(middle, {middle.x + 100, middle.y});
-  EXPECT_NEAR(asked().divider, 0.5 + 100 / (high.x - low.x), 0.01);
+TEST_F(Views, LeftDragTurnsAndUndoIsOneStep) {
+  const Camera before = camera_of(document.preset, volume.grid, aspect_of(requests.view_pixels[0]));
+  const ImVec2 middle = center_of("view1");
+  drag(middle, {middle.x + 60, middle.y + 25});
+  ASSERT_TRUE(document.preset.camera);
+  EXPECT_NEAR(distance(*document.preset.camera), distance(before), 1e-9);
+  EXPECT_GT(glm::length(document.preset.camera->eye - before.eye), 1);
+  EXPECT_EQ(document.preset.camera->target, before.target);
+  ctrl('Z');
   EXPECT_FALSE(document.preset.camera);
-  drag({middle.x - 100, middle.y}, {middle.x - 60, middle.y});
-  EXPECT_NEAR(asked().divider, 0.5 + 100 / (high.x - low.x), 0.01) << "beside the line the camera turns";
+}
+
+TEST_F(Views, ThePictureFollowsThePan) {
+  const ImVec2 middle = center_of("view0");
+  const Camera before = camera_of(document.preset, volume.grid, aspect_of(requests.view_pixels[0]));
+  drag(middle, {middle.x + 60, middle.y}, 2);
+  ASSERT_TRUE(document.preset.camera);
+  const Camera camera = *document.preset.camera;
+  EXPECT_NEAR(glm::length(camera.eye - before.eye), glm::length(camera.target - before.target), 1e-9);
+  const double height = 2 * std::tan(camera.fov_y_degrees * std::acos(-1.0) / 360) * distance(camera);
+  EXPECT_NEAR(glm::length(camera.eye - before.eye), 60 * height / requests.view_pixels[0].y, 1e-6);
+  EXPECT_LT(camera.eye.x, before.eye.x) << "the picture goes right, so the camera goes left";
+}
+
+TEST_F(Views, WheelDolliesAndResetForgetsTheCamera) {
+  move_to(center_of("view3"));
+  const Camera before = camera_of(document.preset, volume.grid, aspect_of(requests.view_pixels[3]));
+  for (int i = 0; i < 4; ++i) wheel(1);
+  ASSERT_TRUE(document.preset.camera);
+  EXPECT_LT(distance(*document.preset.camera), 0.7 * distance(before));
+  key('R');
+  EXPECT_FALSE(document.preset.camera);
+  frames(60);
+  ctrl('Z');
   EXPECT_TRUE(document.preset.camera);
 }
 
-TEST_F(Compare, ASnapshotStaysAsItWas) {
-  const Preset before = document.preset;
-  choose("compare3", "with snapshot");
-  ASSERT_TRUE(requests.comparison);
-  tf().points[2].opacity = 0.123;
+TEST_F(Views, AViewIsEnlargedAndPutBack) {
+  const int before = requests.view_pixels[2].x;
+  click("enlarge2");
   frame();
-  EXPECT_EQ(asked().view, 3);
-  EXPECT_EQ(asked().with.other->preset, before);
-  EXPECT_EQ(asked().with.mode, requests.contents[3].mode);
-}
-
-TEST_F(Compare, BlinkingKeepsTheWindowGoingAndEscapeStopsIt) {
-  click("compare1");
-  frames(2);
-  EXPECT_FALSE(has("with exact")) << "it is exact already";
-  click("with as set");
-  frames(2);
-  EXPECT_EQ(asked().with.picture, ShownPicture::as_set);
-  EXPECT_FALSE(requests.animates);
-  choose("compare1", "how/blink");
-  EXPECT_TRUE(requests.animates);
-  key_of(ImGuiKey_Escape);  // the menu
-  frames(2);
-  EXPECT_TRUE(requests.animates);
+  EXPECT_GT(requests.view_pixels[2].x, before * 1.9);
+  EXPECT_EQ(requests.view_pixels[0], glm::ivec2(0));
   key_of(ImGuiKey_Escape);
+  frame();
+  EXPECT_EQ(requests.view_pixels[2].x, before);
+  double_click(center_of("view1"));
+  EXPECT_EQ(state->views.enlarged, 1);
+}
+
+TEST_F(Views, GoOnToTheExactPictureUnlessToldOtherwise) {
+  EXPECT_EQ(requests.shown_picture, ShownPicture::exact);
+  EXPECT_EQ(key('X').shown_picture, ShownPicture::as_set);
+  EXPECT_EQ(key('B').shown_picture, ShownPicture::error_bound);
+  EXPECT_EQ(key('B').shown_picture, ShownPicture::exact);
+  key('B');
+  EXPECT_EQ(key('X').shown_picture, ShownPicture::as_set) << "there is no bound of samples";
+  EXPECT_EQ(key('X').shown_picture, ShownPicture::exact);
+}
+
+TEST_F(Views, AWarningStandsInItsViewAlone) {
+  for (int i = 0; i < view_count; ++i) EXPECT_FALSE(has(fmt::format("warning{}", i)));
+  const int quiet = ImGui::GetDrawData()->CmdListsCount;
+  inputs.views[2].warnings = {std::string(200, 'w'), "A pixel may be off."};
   frames(2);
-  EXPECT_FALSE(requests.comparison);
-  EXPECT_FALSE(requests.animates);
-}
-
-TEST_F(Compare, OfAViewThatIsNotVisibleNothingIsAsked) {
-  choose("compare1", "with view0");
-  EXPECT_TRUE(requests.comparison);
-  key('1');
-  frame();
-  EXPECT_FALSE(requests.comparison);
-  key_of(ImGuiKey_Escape);  // brings the grid back, and with it the comparison
+  for (int i = 0; i < view_count; ++i) EXPECT_EQ(has(fmt::format("warning{}", i)), i == 2);
+  EXPECT_EQ(ImGui::GetDrawData()->CmdListsCount, quiet) << "no tooltip yet";
+  move_to(center_of("warning2"));
   frames(2);
-  EXPECT_TRUE(requests.comparison);
+  EXPECT_EQ(ImGui::GetDrawData()->CmdListsCount, quiet + 1) << "the tooltip";
+  inputs.views[2].warnings.clear();
+  frames(2);
+  EXPECT_FALSE(has("warning2"));
+  EXPECT_EQ(ImGui::GetDrawData()->CmdListsCount, quiet);
 }
 
-TEST_F(Compare, KeysShowOneViewOrSoMany) {
-  key('3');
+TEST_F(Views, WhatIsReadIsToldAndCanBeCancelled) {
+  EXPECT_FALSE(has("cancel loading"));
+  inputs.loading = "large.nrrd";
+  frames(2);
+  EXPECT_FALSE(requests.cancel_loading);
+  bool cancelled = false;
+  const ImVec2 place = center_of("cancel loading");
+  move_to(place);
+  ImGui::GetIO().MouseDown[0] = true;
+  cancelled |= frame().cancel_loading;
+  ImGui::GetIO().MouseDown[0] = false;
+  cancelled |= frame().cancel_loading;
+  EXPECT_TRUE(cancelled);
+  inputs.loading.clear();
   frame();
-  EXPECT_EQ(state->views.enlarged, 2);
-  key('3');
-  frame();
-  EXPECT_EQ(state->views.enlarged, -1);
-  const int width = requests.view_pixels[0].x;
-  ctrl('3');
-  frame();
-  EXPECT_EQ(requests.view_pixels[3].x, 0);
-  EXPECT_EQ(requests.view_pixels[0].x, width);
-  EXPECT_GT(requests.view_pixels[2].x, 1.9 * width) << "the last one has its row to itself";
-  ctrl('1');
-  frame();
-  EXPECT_GT(requests.view_pixels[0].x, 1.9 * width);
-  EXPECT_EQ(requests.view_pixels[1].x, 0);
-}
-
-TEST_F(Compare, TheMouseInOneViewIsMarkedInAllOthers) {
-  const auto [low, high] = state->widgets.items.at("view1");
-  move_to({low.x + (high.x - low.x) / 4, low.y + (high.y - low.y) / 2});
-  frame();
-  ASSERT_TRUE(state->views.cursor);
-  EXPECT_NEAR(state->views.cursor->x, -0.25 * (high.x - low.x) / (high.y - low.y), 0.01);
-  EXPECT_NEAR(state->views.cursor->y, 0.5, 0.01);
-  move_to(place_of(50, 0.5));
-  frame();
-  EXPECT_FALSE(state->views.cursor);
+  EXPECT_FALSE(has("cancel loading"));
 }
 
 }  // namespace
