@@ -8,6 +8,7 @@
 #include "app/cache_folder.h"
 #include "app/offscreen_context.h"
 #include "app/picture_grid.h"
+#include "app/preset_source.h"
 #include "render/files/image.h"
 #include "render/measure/tiles.h"
 #include "render/renderer.h"
@@ -37,16 +38,16 @@ std::optional<std::string> save(const PictureJob& job, const std::stop_token& st
   gl::RenderTarget target(job.size, false);
   const glm::vec3 background(job.views.front().scene.rendering.background);
   for (int i = 0; i < job.pictures; ++i) {
+    const Camera camera = turned(job.camera, i, job.pictures);
     std::vector<LabelledImage> images;
     for (const auto& [scene, label] : job.views)
-      images.push_back({over(draw(renderer, scene, turned(job.camera, i, job.pictures), target, stop), scene,
-                             job.views.size() > 1),
-                        label});
+      images.push_back(
+          {over(draw(renderer, scene, camera, target, stop), scene, job.views.size() > 1), label});
     if (stop.stop_requested()) return std::nullopt;
     const int columns = images.size() > 1 ? 2 : 1;
     write_image(numbered(job.path, i, job.pictures),
                 columns == 1 ? images.front().image : picture_grid(images, columns, background), background,
-                job.preset);
+                preset_for_picture(job.preset, camera));
     ++done;
   }
   return job.pictures == 1

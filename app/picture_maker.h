@@ -23,7 +23,7 @@ struct PictureJob {
   glm::ivec2 size{0};  ///< of each view
   int pictures = 1;    ///< of the turn
   std::filesystem::path path;
-  std::string preset;  ///< kept in the file
+  Preset preset;  ///< kept in each file, with the camera in force
 };
 
 /// The name of one of the files: turn.png, or turn-001.png to turn-036.png.

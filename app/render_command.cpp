@@ -25,8 +25,8 @@ struct RenderOptions {
   PictureOptions picture;
   std::string error_bound;  ///< where to write it; empty: nowhere
   AutoOptions automatic;
-  int turntable = 1;   ///< pictures of one turn
-  std::string preset;  ///< as the pictures keep it
+  int turntable = 1;  ///< pictures of one turn
+  Preset preset;      ///< which the pictures keep
 };
 
 /// How far each pixel may be off: as it is for an .exr, else in the colours of all error pictures.
@@ -48,7 +48,8 @@ MeasuredPicture draw_and_write(Renderer& renderer, const Scene& scene, const Cam
   const std::filesystem::path bound_file = all.error_bound;
   const bool counts = options.json || !bound_file.empty();
   auto picture = measure_pictures(renderer, {scene}, camera, options.pixels(), options.frames, counts)[0];
-  write_image(options.output, picture.image, scene.rendering.background, all.preset);
+  write_image(options.output, picture.image, scene.rendering.background,
+              preset_for_picture(all.preset, camera));
   if (!bound_file.empty())
     write_image(bound_file,
                 error_bound_picture(picture.error_bounds, options.pixels(), bound_file.extension() != ".exr"),
@@ -79,7 +80,8 @@ void render_turn(const Scene& scene, const Camera& camera, const RenderOptions& 
 void render_on_cpu(const Scene& scene, const Camera& camera, const RenderOptions& render_options) {
   const PictureOptions& options = render_options.picture;
   const auto picture = render_exact_pictures({scene}, camera, options.pixels(), options.output)[0];
-  write_image(options.output, picture.reference.image(), scene.rendering.background, render_options.preset);
+  write_image(options.output, picture.reference.image(), scene.rendering.background,
+              preset_for_picture(render_options.preset, camera));
   print_warnings(picture.warnings);
   print_notes(picture.notes);
   if (options.json) print_statistics(statistics_json(picture, scene), exact_renderer);
@@ -119,7 +121,7 @@ void render_picture(RenderOptions options) {
     throw UsageError("--error-bound", "only the exact march knows how far it may be off: add --exact");
   const Scene scene = make_scene(volume, preset);
   const Camera camera = camera_of(preset, volume->grid, aspect);
-  options.preset = preset_for_picture(preset, camera);
+  options.preset = preset;
   if (options.turntable > 1) return render_turn(scene, camera, options);
   if (options.automatic.is_on) return render_as_chosen(scene, camera, options);
   const auto render = preset.rendering.engine == Engine::reference ? render_on_cpu : render_on_gpu;

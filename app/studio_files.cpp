@@ -306,9 +306,8 @@ void Studio::save_picture(const PictureAsk& ask) {
   job.camera = camera_of(document_.preset, loaded_.volume->grid, aspect_of(ask.size));
   job.pictures = ask.turntable;
   job.path = ask.path;
-  job.preset = preset_for_picture(
-      ask.view < 0 ? document_.preset : preset_of(views.contents[std::size_t(ask.view)], document_.preset),
-      job.camera);
+  job.preset =
+      ask.view < 0 ? document_.preset : preset_of(views.contents[std::size_t(ask.view)], document_.preset);
   const Scene own = make_scene(loaded_.volume, document_.preset);
   for (int i = 0; i < view_count; ++i) {
     if (ask.view != i && (ask.view >= 0 || i >= views.count)) continue;
