@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/scene/exact.h"
+#include "ui/actions.h"
 #include "ui/style.h"
 #include "ui/view_caption.h"
 
@@ -126,7 +127,7 @@ void comparison_menu(int index, StudioState& state, const StudioInputs& inputs, 
     note_item(state.widgets, "##amplification");
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("Stop comparing", "Esc")) state.views.comparison.reset();
+  if (ImGui::MenuItem("Stop comparing", key_text_of("Back").c_str())) state.views.comparison.reset();
   note_item(state.widgets, "stop comparing");
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/actions.h"
 #include "ui/curve_beneath.h"
 #include "ui/number_field.h"
 #include "ui/point_tools.h"
@@ -126,9 +127,10 @@ bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widg
   };
   if (ImGui::Button("Add peak")) changed |= add_shape(tf, editor, Shape::spike, visible);
   note_item(widgets, "add peak");
-  tip("Adds a spike where there is most room; type where it is to be (also: P).\nThe right-click menu adds "
-      "one "
-      "under the mouse.");
+  tip(fmt::format("Adds a spike where there is most room; type where it is to be (also: {}).\n"
+                  "The right-click menu adds one under the mouse.",
+                  key_text_of(adding(Shape::spike)))
+          .c_str());
   ImGui::SameLine();
   field_label("width");
   double width = new_width(tf, editor, Shape::spike, visible);
@@ -151,8 +153,10 @@ bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widg
   ImGui::SameLine();
   if (ImGui::Button("Fit")) editor.visible.reset();
   note_item(widgets, "fit");
-  tip("Shows all values (also: double-click on the axis).\nWheel zooms about the mouse, Ctrl+wheel "
-      "faster;\nmiddle drag or Shift+wheel pans; F shows the selected points");
+  tip(fmt::format("Shows all values (also: double-click on the axis).\nWheel zooms about the mouse, "
+                  "Ctrl+wheel faster;\nmiddle drag or Shift+wheel pans; {} shows the selected points",
+                  key_text_of("Zoom to the selected points"))
+          .c_str());
   return changed;
 }
 

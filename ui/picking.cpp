@@ -94,11 +94,12 @@ bool peak_item(Document& document, StudioState& state, const StudioInputs& input
   return add_shape(tf, state.editor, Shape::spike, in_domain, picked_opacity, visible);
 }
 
-void inspect(RayState& state, const RayAsk& ask, Mode mode) {
+void inspect(StudioState& studio, const RayAsk& ask, Mode mode) {
+  RayState& state = studio.ray;
   state.ask = ask;
   state.mode = mode;
   state.visible.reset();
-  state.asks_for_tab = true;
+  studio.asked_tab = "Ray";
 }
 
 /// A click that is not the first of two, which enlarge the view: known when the time for the second is over.
@@ -118,7 +119,7 @@ bool pick_menu(Document& document, StudioState& state, const StudioInputs& input
     changed |= peak_item(document, state, inputs, *other);
   if (!picked.surface && !picked.strongest) ImGui::TextDisabled("Nothing shows here");
   ImGui::Separator();
-  if (ImGui::MenuItem("Inspect the ray")) inspect(state.ray, here, mode);
+  if (ImGui::MenuItem("Inspect the ray")) inspect(state, here, mode);
   note_item(state.widgets, "inspect ray");
   ImGui::EndPopup();
   return changed;
@@ -153,7 +154,7 @@ bool pick_in_view(Document& document, StudioState& state, const StudioInputs& in
     if (io.MouseDown[0] || state.views.moves_divider)
       clicked.reset();
     else if (ImGui::GetTime() - clicked->time > double(io.MouseDoubleClickTime)) {
-      inspect(state.ray, clicked->ask, clicked->mode);
+      inspect(state, clicked->ask, clicked->mode);
       clicked.reset();
     }
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "ui/actions.h"
 #include "ui/card.h"
 #include "ui/examples.h"
 #include "ui/questions.h"
@@ -30,18 +31,18 @@ void opening(const Document& document, StudioState& state) {
   ImGui::TextDisabled("Open a volume, or drop a file anywhere on this window.");
   ImGui::Spacing();
   const ImVec2 size{scaled(126), scaled(32)};
-  const auto button = [&](const char* text, const char* keys, FilePurpose purpose) {
+  const auto button = [&](const char* text, FilePurpose purpose) {
     if (ImGui::Button(text, size)) ask_for_file(state, document, purpose);
     note_item(state.widgets, fmt::format("start/{}", text));
-    tip(keys);
+    tip(key_text_of(text).c_str());
   };
-  button("Open volume...", "Ctrl+O", FilePurpose::open_volume);
+  button("Open volume...", FilePurpose::open_volume);
   ImGui::SameLine();
-  button("Open preset...", "Ctrl+Shift+O", FilePurpose::open_preset);
+  button("Open preset...", FilePurpose::open_preset);
   ImGui::SameLine();
   if (ImGui::Button("Library...", size)) state.library.asked = true;
   note_item(state.widgets, "start/Library...");
-  tip("Ctrl+L");
+  tip(key_text_of("Library...").c_str());
 }
 
 void example_cards(StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {

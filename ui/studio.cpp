@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "ui/accuracy_panel.h"
+#include "ui/actions.h"
 #include "ui/export_dialog.h"
+#include "ui/help_window.h"
 #include "ui/history_panel.h"
 #include "ui/import_dialog.h"
 #include "ui/library_window.h"
@@ -73,9 +75,11 @@ bool peaks_and_table(Document& document, StudioState& state, const StudioInputs&
 
 /// One of the tabs; `panel` draws what is in it, and returns whether it changed the document.
 template <class Panel>
-bool tab(WidgetState& widgets, const char* name, Panel&& panel, bool comes_up = false) {
+bool tab(StudioState& state, const char* name, Panel&& panel) {
+  const bool comes_up = state.asked_tab == name;
+  if (comes_up) state.asked_tab = {};
   const bool open = ImGui::BeginTabItem(name, nullptr, comes_up ? ImGuiTabItemFlags_SetSelected : 0);
-  note_item(widgets, fmt::format("tab/{}", name));
+  note_item(state.widgets, fmt::format("tab/{}", name));
   if (!open) return false;
   const bool changed = panel();
   ImGui::EndTabItem();
@@ -84,17 +88,15 @@ bool tab(WidgetState& widgets, const char* name, Panel&& panel, bool comes_up = 
 
 bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   if (!ImGui::BeginTabBar("panels")) return false;
-  WidgetState& widgets = state.widgets;
-  bool changed = tab(widgets, "Peaks", [&] { return peaks_and_table(document, state, inputs); });
-  changed |= tab(widgets, "Points",
-                 [&] { return points_panel(document.preset.transfer_function, state.editor, widgets); });
-  changed |= tab(widgets, "Rendering", [&] { return rendering_panel(document, state, inputs, requests); });
-  changed |= tab(widgets, "Accuracy", [&] { return accuracy_panel(document, state, inputs, requests); });
-  changed |= tab(widgets, "Slices", [&] { return slices_panel(document, state, inputs, requests); });
-  changed |= tab(
-      widgets, "Ray", [&] { return ray_panel(document, state, inputs), false; },
-      std::exchange(state.ray.asks_for_tab, false));
-  changed |= tab(widgets, "History", [&] { return history_panel(document, state, inputs); });
+  bool changed = tab(state, "Peaks", [&] { return peaks_and_table(document, state, inputs); });
+  changed |= tab(state, "Points", [&] {
+    return points_panel(document.preset.transfer_function, state.editor, state.widgets);
+  });
+  changed |= tab(state, "Rendering", [&] { return rendering_panel(document, state, inputs, requests); });
+  changed |= tab(state, "Accuracy", [&] { return accuracy_panel(document, state, inputs, requests); });
+  changed |= tab(state, "Slices", [&] { return slices_panel(document, state, inputs, requests); });
+  changed |= tab(state, "Ray", [&] { return ray_panel(document, state, inputs), false; });
+  changed |= tab(state, "History", [&] { return history_panel(document, state, inputs); });
   ImGui::EndTabBar();
   return changed;
 }
@@ -204,8 +206,9 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   state.widgets.number_taken = false;
   state.widgets.take_typed = inputs.close_requested || takes_typed_text();
   if (state.widgets.refused) state.widgets.refused->is_shown = false;
-  requests.document_changed |= shortcuts(document, state, inputs, requests);
-  requests.document_changed |= menu_bar(document, state, inputs, requests);
+  const ActionContext context{document, state, inputs, requests};
+  requests.document_changed |= shortcuts(context);
+  requests.document_changed |= menu_bar(context);
   close_menu_by_key(state);
   requests.document_changed |= studio_window(document, state, inputs, requests);
   requests.lit_points = lit_points(state, inputs);

@@ -48,7 +48,6 @@ struct ClickedPixel {
 struct RayState {
   std::optional<RayAsk> ask;  ///< the ray that is inspected
   Mode mode = Mode::peak_xor_dvr;
-  bool asks_for_tab = false;
   Picked picked;      ///< where the menu of a view was opened
   RayAsk under_menu;  ///< there
   std::optional<ClickedPixel> clicked;
@@ -129,6 +128,10 @@ struct ImportDialog {
   bool fit = false;  ///< over the range of the preset's points
 };
 
+/// Of the panels below the editor.
+inline constexpr const char* tab_names[] = {"Peaks",  "Points", "Rendering", "Accuracy",
+                                            "Slices", "Ray",    "History"};
+
 struct StudioState {
   WidgetState widgets;
   History history;
@@ -145,12 +148,13 @@ struct StudioState {
   PresetDetails details;
   LibraryState library;
   bool show_help = false;
-  bool escape_taken = false;  ///< in this frame: what Esc was for is done
-  bool quit_asked = false;    ///< the person wants to leave
-  Leaving leaving;            ///< what the question about unsaved changes is about
-  std::size_t shown_step{};   ///< of the history, to which its list was last scrolled
-  double camera_moved = -1;   ///< when the wheel last moved the camera, in Dear ImGui's seconds
-  std::string under_cursor;   ///< what the status bar tells of the place under the mouse
+  std::string_view asked_tab;  ///< of tab_names: it comes up in the next frame
+  bool escape_taken = false;   ///< in this frame: what Esc was for is done
+  bool quit_asked = false;     ///< the person wants to leave
+  Leaving leaving;             ///< what the question about unsaved changes is about
+  std::size_t shown_step{};    ///< of the history, to which its list was last scrolled
+  double camera_moved = -1;    ///< when the wheel last moved the camera, in Dear ImGui's seconds
+  std::string under_cursor;    ///< what the status bar tells of the place under the mouse
 };
 
 }  // namespace crest

@@ -90,6 +90,10 @@ ValueRange axis_range(const TransferFunction& tf, const Volume* volume) {
   return whole_range(volume || tf.domain == Domain::normalized ? range : span, span);
 }
 
+ValueRange visible_values(const TransferFunction& tf, const EditorState& editor, const Volume* volume) {
+  return editor.visible.value_or(axis_range(tf, volume));
+}
+
 void frame_selection(const Document& document, EditorState& editor, const StudioInputs& inputs) {
   const TransferFunction& tf = document.preset.transfer_function;
   if (editor.selection.empty()) return editor.visible.reset();
@@ -148,11 +152,7 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
   }
   const bool keys_are_free = !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() &&
                              !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-  if (keys_are_free) {
-    changed |= handle_plot_keys(tf, editor, plot);
-    changed |= tool_keys(tf, editor, volume_range(inputs.volume), visible);
-    if (ImGui::IsKeyPressed('F', false) && !ImGui::GetIO().KeyCtrl) frame_selection(document, editor, inputs);
-  }
+  if (keys_are_free) changed |= handle_plot_keys(tf, editor, plot);
   draw_plot(tf, editor, plot, inputs);
   changed |= plot_menus(document, editor, state.widgets, inputs, visible);
   changed |= unit_fields(tf, state.widgets);

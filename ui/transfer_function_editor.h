@@ -13,5 +13,7 @@ void frame_selection(const Document& document, EditorState& editor, const Studio
 
 /// What the value axis can show: the volume's range and the points, with a margin.
 ValueRange axis_range(const TransferFunction& tf, const Volume* volume);
+/// And what it shows.
+ValueRange visible_values(const TransferFunction& tf, const EditorState& editor, const Volume* volume);
 
 }  // namespace crest

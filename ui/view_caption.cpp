@@ -10,6 +10,7 @@
 #include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/scene/exact.h"
+#include "ui/actions.h"
 #include "ui/comparison_view.h"
 #include "ui/mode_text.h"
 #include "ui/style.h"
@@ -52,13 +53,15 @@ void explanation(const Rendering& rendering, ShownPicture wanted, const ViewPict
   ImGui::PopStyleColor();
   std::string more = text;
   if (view.is_exact)
-    more +=
+    more += fmt::format(
         "\nBy bounds on all errors along a ray, of a 64th of the pixels; light is not in them."
-        "\nX shows the picture as the settings have it, B how far each pixel may be off.";
+        "\n{} shows the picture as the settings have it, {} how far each pixel may be off.",
+        key_text_of("Exact at rest"), key_text_of("Error bound"));
   else if (const std::string why_not = why_not_exact(rendering); !why_not.empty())
     more += "\nNot exact: " + why_not;
   else if (wanted == ShownPicture::as_set)
-    more += "\nAs the settings have it; X shows the exact picture.";
+    more +=
+        fmt::format("\nAs the settings have it; {} shows the exact picture.", key_text_of("Exact at rest"));
   tip(more.c_str());
 }
 

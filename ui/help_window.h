@@ -1,0 +1,10 @@
+#pragma once
+
+#include "ui/studio_state.h"
+
+namespace crest {
+
+/// The list of keys, and of what the mouse does.
+void help_window(StudioState& state);
+
+}  // namespace crest
