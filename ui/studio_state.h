@@ -129,6 +129,15 @@ struct ImportDialog {
   bool fit = false;  ///< over the range of the preset's points
 };
 
+/// What is chosen of a file's components, frames or series, or typed about its raw voxels.
+struct OpeningState {
+  std::optional<OpenChoice> about;  ///< what the rest is for
+  int chosen = 0;
+  bool scroll = false;  ///< to the chosen one
+  RawLayout layout;
+  std::vector<RawGuess> guesses;
+};
+
 struct StudioState {
   WidgetState widgets;
   History history;
@@ -140,6 +149,7 @@ struct StudioState {
   FileDialog file_dialog;
   ExportDialog export_dialog;
   ImportDialog import_dialog;
+  OpeningState opening;
   PictureDialog picture_dialog;
   glm::dvec3 slice_cursor{0.5};  ///< SlicesWanted::cursor
   PresetDetails details;
