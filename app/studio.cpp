@@ -111,6 +111,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.performance = performance_;
   inputs.saving = picture_maker_.progress();
   inputs.library = library_;
+  inputs.opening = opening_ ? &*opening_ : nullptr;
   inputs.recovery = recovery_offer();
   inputs.accuracy = &sweep_.results();
   inputs.choice = &choice_.results();
@@ -186,6 +187,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   matters_.take();
   take_thumbnails();
   take_saved_picture();
+  take_raw_preview();
   StudioInputs shown;
   try {
     shown = inputs(close_requested);
@@ -223,6 +225,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   update_choice(requests);
   update_matters(requests, interactive);
   want_thumbnails(requests);
+  update_opening(requests);
   if (const std::string& error = views_.renderer().resources().programs.error(); !error.empty())
     say(error, true);
 }

@@ -14,6 +14,7 @@
 #include "app/last_volume.h"
 #include "app/picture_maker.h"
 #include "app/preset_folder.h"
+#include "app/raw_preview.h"
 #include "app/ray_inspector.h"
 #include "app/recent_files.h"
 #include "app/slice_pictures.h"
@@ -57,12 +58,12 @@ class Studio {
   /// Something of the work in the background may come up soon, has come up.
   bool is_measuring() const {
     return sweep_.is_active() || choice_.is_running() || matters_.is_active() || thumbnail_maker_.is_busy() ||
-           picture_maker_.is_busy();
+           picture_maker_.is_busy() || raw_preview_.is_busy();
   }
   bool has_news() const {
     const auto now = BackgroundSweep::Clock::now();
     return sweep_.has_news(now) || choice_.has_news() || matters_.has_news(now) ||
-           thumbnail_maker_.has_news() || picture_maker_.has_news();
+           thumbnail_maker_.has_news() || picture_maker_.has_news() || raw_preview_.has_news();
   }
   std::string title() const;
   const Document& document() const { return document_; }
@@ -80,6 +81,10 @@ class Studio {
   void cancel_loading();
   void take_loaded_volume();
   void show(Loaded fresh);
+  void ask_what_to_open(const OpenChoice& choice);
+  void stop_asking();
+  void take_raw_preview();
+  void update_opening(const StudioRequests& requests);
   void open_preset(const std::string& name_or_path, TfParts take);
   void take_import(const StudioRequests::Import& choice);
   void export_to(const StudioRequests::Export& request);
@@ -142,6 +147,8 @@ class Studio {
   ViewDifference difference_;
   RayInspector rays_;
   PictureMaker picture_maker_;
+  std::optional<Opening> opening_;  ///< while a person is asked
+  RawPreview raw_preview_;
   std::optional<PickedPixel> picked_;
   bool animates_ = false;
   BackgroundSweep sweep_;

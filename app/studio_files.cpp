@@ -63,6 +63,7 @@ Preset without_camera(Preset preset) {
 
 void Studio::start_loading(const std::string& source) {
   loading_for_document_ = false;
+  stop_asking();
   say("");
   loader_.start(source);
 }
@@ -117,13 +118,16 @@ void Studio::take_loaded_volume() {
   auto result = loader_.take();
   if (!result) return;
   try {
-    if (!result->volume) throw Error(result->error);
-    show({result->source, std::move(result->volume)});
+    if (result->volume) return show({result->source, std::move(result->volume)});
   } catch (const std::exception& error) {
-    // What was there stays
-    if (document_.volume_source == result->source) document_.volume_source = loaded_.source;
-    say(error.what(), true);
+    result->error = error.what();
   }
+  // What was there stays
+  if (document_.volume_source == result->source) document_.volume_source = loaded_.source;
+  if (result->choice)
+    ask_what_to_open(*result->choice);
+  else
+    say(result->error, true);
 }
 
 void Studio::close_volume() {

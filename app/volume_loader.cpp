@@ -16,7 +16,8 @@ struct VolumeLoader::Job {
   std::atomic<bool> is_done = false;
 };
 
-VolumeLoader::VolumeLoader() : VolumeLoader([](const std::string& source) { return load_volume(source); }) {}
+VolumeLoader::VolumeLoader()
+    : VolumeLoader([](const std::string& source) { return load_volume(source, available_memory(), true); }) {}
 
 VolumeLoader::VolumeLoader(Read read) : read_(std::move(read)) {}
 
@@ -32,6 +33,9 @@ void VolumeLoader::start(const std::string& source) {
       job->result.volume = std::make_shared<const Volume>(read(source));
     } catch (const std::bad_alloc&) {
       job->result.error = source + ": reading it takes more memory than there is";
+    } catch (const ChoiceNeeded& needed) {
+      job->result.error = needed.what();
+      job->result.choice = needed.choice;
     } catch (const std::exception& error) {
       job->result.error = error.what();
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "render/files/open_choice.h"
 #include "render/volume/volume.h"
 
 namespace crest {
@@ -17,7 +18,7 @@ namespace crest {
 class VolumeLoader {
  public:
   using Read = std::function<Volume(const std::string& source)>;
-  /// Reads with load_volume().
+  /// Reads with load_volume(), which asks.
   VolumeLoader();
   /// `read` is called in other threads, also after the loader is gone.
   explicit VolumeLoader(Read read);
@@ -26,6 +27,7 @@ class VolumeLoader {
     std::string source;
     std::shared_ptr<const Volume> volume;  ///< null where it could not be read
     std::string error;                     ///< why
+    std::optional<OpenChoice> choice;      ///< that must be made first
   };
 
   /// Reads this one, in place of what is being read.

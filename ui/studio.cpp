@@ -14,6 +14,7 @@
 #include "ui/import_dialog.h"
 #include "ui/library_window.h"
 #include "ui/menu_bar.h"
+#include "ui/opening_dialog.h"
 #include "ui/peak_table_panel.h"
 #include "ui/peaks_panel.h"
 #include "ui/picture_dialog.h"
@@ -214,6 +215,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   requests.lit_points = lit_points(state, inputs);
   export_dialog(document, state, inputs, requests);
   import_dialog(state, inputs, requests);
+  opening_dialog(state, inputs, requests);
   picture_dialog(document, state, inputs);
   requests.document_changed |= preset_details(document, state);
   library_window(state, inputs, requests);

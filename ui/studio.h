@@ -13,6 +13,8 @@
 
 #include "presets/exchange/importers.h"
 #include "presets/peaks.h"
+#include "render/files/open_choice.h"
+#include "render/files/raw_layout.h"
 #include "render/reference/visibility.h"
 #include "render/scene/picture_need.h"
 #include "render/slices/slice.h"
@@ -74,6 +76,21 @@ struct RecoveryOffer {
 };
 enum class RecoveryAnswer { restore, discard, later };
 
+/// The middle slice of a file of raw voxels, as a form says that they lie.
+struct RawPicture {
+  std::uintptr_t texture = 0;  ///< an ImTextureID, row 0 at the top; 0 while there is none
+  glm::ivec2 size{0};
+  ValueRange range{0, 0};  ///< of its values: from black to white
+  std::string error;       ///< why there is none
+};
+
+/// What must be chosen before a volume can be opened.
+struct Opening {
+  OpenChoice choice;
+  std::uint64_t file_bytes = 0;  ///< of raw voxels: the file's length
+  RawPicture picture;            ///< of the last preview_raw
+};
+
 /// One across each axis.
 inline constexpr int slice_count = 3;
 
@@ -116,6 +133,7 @@ struct StudioInputs {
   /// opened.
   std::span<const Imported> imported;
   TfParts import_take = TfParts::both;
+  const Opening* opening = nullptr;  ///< null while there is nothing to choose
   std::optional<RecoveryOffer> recovery;
   bool unsaved_changes = false;   ///< of the preset, the camera aside: worth a question before they are lost
   const Preset* saved = nullptr;  ///< the preset as its file has it; null where it has none
@@ -160,6 +178,8 @@ struct StudioRequests {
   };
   std::optional<Export> export_preset;
   bool cancel_loading = false;
+  bool cancel_opening = false;           ///< nothing is chosen; open_volume says what is
+  std::optional<RawLayout> preview_raw;  ///< of the file that is to be opened, as long as it is to be seen
   bool close_volume = false;
   bool shows_start_page = false;  ///< in place of the views
   bool shows_library = false;     ///< its presets' pictures are wanted

@@ -132,6 +132,15 @@ struct ImportDialog {
 inline constexpr const char* tab_names[] = {"Peaks",  "Points", "Rendering", "Accuracy",
                                             "Slices", "Ray",    "History"};
 
+/// What is chosen of a file's components, frames or series, or typed about its raw voxels.
+struct OpeningState {
+  std::optional<OpenChoice> about;  ///< what the rest is for
+  int chosen = 0;
+  bool scroll = false;  ///< to the chosen one
+  RawLayout layout;
+  std::vector<RawGuess> guesses;
+};
+
 struct StudioState {
   WidgetState widgets;
   History history;
@@ -143,6 +152,7 @@ struct StudioState {
   FileDialog file_dialog;
   ExportDialog export_dialog;
   ImportDialog import_dialog;
+  OpeningState opening;
   PictureDialog picture_dialog;
   glm::dvec3 slice_cursor{0.5};  ///< SlicesWanted::cursor
   PresetDetails details;

@@ -13,6 +13,7 @@ struct FileRequest {
   std::filesystem::path path;
   Query query;
   std::uint64_t memory = 0;  ///< bytes that reading may take
+  bool asks = false;         ///< ChoiceNeeded also where the query left something open that has a default
 
   std::string name() const { return path.string(); }  ///< what errors call it
 };

@@ -11,6 +11,7 @@
 #include "presets/error.h"
 #include "render/files/file_library.h"
 #include "render/files/header_text.h"
+#include "render/files/open_choice.h"
 #include "render/files/raw_reader.h"
 #include "render/volume/builtin.h"
 
@@ -88,10 +89,10 @@ Volume read_file_or_folder(const FileRequest& request) {
   std::string known;
   for (const Reader& reader : readers)
     known += fmt::format("{}{}", known.empty() ? "" : " ", reader.format.extensions);
-  throw Error(
-      fmt::format("{}: its extension is not known; those read are {}; for raw voxels add "
-                  "?size=AxBxC&type=uint8",
-                  name, known));
+  throw ChoiceNeeded(fmt::format("{}: its extension is not known; those read are {}; for raw voxels add "
+                                 "?size=AxBxC&type=uint8",
+                                 name, known),
+                     {ChoiceKind::raw_layout, name, request.query, 0, {}});
 }
 
 /// With what the standard library throws (no permission for a folder, no memory after all) as Errors.
@@ -146,13 +147,13 @@ bool is_volume_there(const std::string& source) {
   return source.starts_with(builtin_prefix) || split_source(source);
 }
 
-Volume load_volume(const std::string& source, std::uint64_t memory) {
+Volume load_volume(const std::string& source, std::uint64_t memory, bool asks) {
   if (source.starts_with(builtin_prefix)) return make_builtin(source.substr(builtin_prefix.size()), memory);
   const auto found = split_source(source);
   if (!found)
     throw Error(fmt::format("{}: there is no such file or folder", source.substr(0, source.find('?'))));
   const auto& [path, query] = *found;
-  Volume volume = guarded({path, parse_query(path.string(), query), memory});
+  Volume volume = guarded({path, parse_query(path.string(), query), memory, asks});
   repair_geometry(volume);
   volume.file.path = fs::absolute(path).lexically_normal().string();
   volume.name = path.has_filename() ? path.filename().string() : path.parent_path().filename().string();

@@ -23,8 +23,9 @@ bool is_volume_there(const std::string& source);
 /// A query may follow a file's name: "head.raw?size=64x64x93&type=int16&spacing=3.2,3.2,1.5&endian=little",
 /// and "?component=0" or "?frame=0" to take one of an RGB or 4D file.
 /// Spacing is made positive; one that is 0 or not finite becomes 1, and the note says so.
-/// Throws Error: what is wrong with which file. Lengths are checked before it is read, and that it takes no
-/// more than `memory` bytes.
-Volume load_volume(const std::string& source, std::uint64_t memory = available_memory());
+/// Throws Error: what is wrong with which file; ChoiceNeeded (open_choice.h) where the query must say more.
+/// Lengths are checked before it is read, and that it takes no more than `memory` bytes. Of several series in
+/// a folder the one with the most images is read, unless `asks`: then it is a choice.
+Volume load_volume(const std::string& source, std::uint64_t memory = available_memory(), bool asks = false);
 
 }  // namespace crest

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <map>
 #include <ranges>
 
 #include "presets/error.h"
 #include "render/files/header_text.h"
+#include "render/files/open_choice.h"
 #include "render/readers/dicom_structure.h"
 #include "render/readers/itk_support.h"
 #include "render/readers/readers.h"
@@ -56,8 +58,15 @@ std::string text_of(itk::GDCMImageIO& io, const std::string& tag) {
   return std::string(trim(std::string_view(value).substr(0, value.find('\0'))));
 }
 
-std::map<std::string, std::vector<Slice>> find_series(const fs::path& folder) {
-  std::map<std::string, std::vector<Slice>> series;
+/// The images of a series, and what the person at the scanner called it.
+struct Series {
+  std::vector<Slice> slices;
+  std::string description, modality;
+};
+using AllSeries = std::map<std::string, Series>;  ///< by their UIDs
+
+AllSeries find_series(const fs::path& folder) {
+  AllSeries all;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (!is_dicom(entry.path()) || !read_dicom_structure(entry.path()).has_image) continue;
     const std::string file = entry.path().string();
@@ -68,9 +77,31 @@ std::map<std::string, std::vector<Slice>> find_series(const fs::path& folder) {
     };
     const double along_normal = glm::dot(position_of(*io), glm::cross(axis(0), axis(1)));
     const double number = to_number(text_of(*io, "0020|0013")).value_or(0);
-    series[text_of(*io, "0020|000e")].push_back({along_normal, number, file});
+    Series& series = all[text_of(*io, "0020|000e")];
+    if (series.slices.empty())
+      series.description = one_line(text_of(*io, "0008|103e")), series.modality = text_of(*io, "0008|0060");
+    series.slices.push_back({along_normal, number, file});
   }
-  return series;
+  return all;
+}
+
+/// "T1 axial (MR), 124 images".
+std::string text_of(const Series& series) {
+  const std::size_t count = series.slices.size();
+  return fmt::format("{}{}, {} image{}", series.description.empty() ? "no description" : series.description,
+                     series.modality.empty() ? "" : fmt::format(" ({})", series.modality), count,
+                     count == 1 ? "" : "s");
+}
+
+/// Those with the most images first, as they are most often meant.
+OpenChoice choice_of(const FileRequest& request, const AllSeries& all) {
+  OpenChoice choice{ChoiceKind::series, request.name(), request.query, all.size(), {}};
+  choice.query.erase("series");
+  std::vector<const AllSeries::value_type*> sorted;
+  for (const auto& one : all) sorted.push_back(&one);
+  std::ranges::stable_sort(sorted, std::greater(), [](const auto* one) { return one->second.slices.size(); });
+  for (const auto* one : sorted) choice.options.push_back({one->first, text_of(one->second)});
+  return choice;
 }
 
 /// The files of the series that the query names, or of the one with the most, in the order of their
@@ -78,18 +109,24 @@ std::map<std::string, std::vector<Slice>> find_series(const fs::path& folder) {
 Files series_files(const FileRequest& request, std::string& note) {
   auto all = find_series(request.path);
   if (all.empty()) throw Error(fmt::format("{}: its DICOM files hold no images", request.name()));
-  auto chosen = std::ranges::max_element(all, {}, [](const auto& entry) { return entry.second.size(); });
+  auto chosen =
+      std::ranges::max_element(all, {}, [](const auto& entry) { return entry.second.slices.size(); });
   if (const auto asked = request.query.find("series"); asked != request.query.end()) {
     chosen = all.find(asked->second);
     if (chosen == all.end()) {
-      throw Error(fmt::format("{}: it has no series \"{}\"; it has {}", request.name(), asked->second,
-                              fmt::join(std::views::keys(all), ", ")));
+      throw ChoiceNeeded(fmt::format("{}: it has no series \"{}\"; it has {}", request.name(), asked->second,
+                                     fmt::join(std::views::keys(all), ", ")),
+                         choice_of(request, all));
     }
+  } else if (request.asks && all.size() > 1) {
+    throw ChoiceNeeded(fmt::format("{}: it has {} series: take one with ?series={}", request.name(),
+                                   all.size(), chosen->first),
+                       choice_of(request, all));
   }
   if (all.size() > 1) note = fmt::format("series {}, one of {} in the folder", chosen->first, all.size());
-  std::ranges::sort(chosen->second);
+  std::ranges::sort(chosen->second.slices);
   Files files;
-  for (const Slice& slice : chosen->second) files.push_back(slice.file);
+  for (const Slice& slice : chosen->second.slices) files.push_back(slice.file);
   return files;
 }
 
@@ -130,8 +167,10 @@ Volume read_files(const FileRequest& request, const Files& files, std::string no
   const auto first = open(files.front());
   const std::uint64_t components = first->GetNumberOfComponents();
   if (components > 1 && !request.query.contains("component")) {
-    throw Error(fmt::format("{}: it has {} components, and a volume is one: take the first with ?component=0",
-                            name, components));
+    throw ChoiceNeeded(
+        fmt::format("{}: it has {} components, and a volume is one: take the first with ?component=0", name,
+                    components),
+        {ChoiceKind::component, name, request.query, components, component_options(*first)});
   }
   const auto component =
       std::size_t(integer_in(name, request.query, "component", 0, 0, std::int64_t(components) - 1));

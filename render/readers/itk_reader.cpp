@@ -10,6 +10,7 @@
 #include <span>
 
 #include "presets/error.h"
+#include "render/files/open_choice.h"
 #include "render/readers/headers.h"
 #include "render/readers/itk_support.h"
 #include "render/readers/readers.h"
@@ -34,11 +35,13 @@ void add_note(std::string& note, const std::string& more) {
 }
 
 /// One of `count` components or frames, which the query must say when there are more than one.
-std::uint64_t select_one(const FileRequest& request, std::string_view key, std::uint64_t count,
-                         std::string& note) {
+std::uint64_t select_one(const FileRequest& request, ChoiceKind kind, std::uint64_t count,
+                         std::vector<ChoiceOption> options, std::string& note) {
+  const std::string_view key = key_of(kind);
   if (count > 1 && !request.query.contains(key)) {
-    throw Error(fmt::format("{}: it has {} {}s, and a volume is one: take the first with ?{}=0",
-                            request.name(), count, key, key));
+    throw ChoiceNeeded(fmt::format("{}: it has {} {}s, and a volume is one: take the first with ?{}=0",
+                                   request.name(), count, key, key),
+                       {kind, request.name(), request.query, count, std::move(options)});
   }
   const auto index =
       std::uint64_t(integer_in(request.name(), request.query, key, 0, 0, std::int64_t(count) - 1));
@@ -57,8 +60,9 @@ Selection select(const FileRequest& request, const itk::ImageIOBase& io) {
   for (unsigned axis = 0; axis < 3; ++axis) selection.dims[int(axis)] = io.GetDimensions(axis);
   selection.components = io.GetNumberOfComponents();
   selection.frames = axes == 4 ? io.GetDimensions(3) : 1;
-  selection.component = select_one(request, "component", selection.components, selection.note);
-  selection.frame = select_one(request, "frame", selection.frames, selection.note);
+  selection.component =
+      select_one(request, ChoiceKind::component, selection.components, component_options(io), selection.note);
+  selection.frame = select_one(request, ChoiceKind::frame, selection.frames, {}, selection.note);
   return selection;
 }
 

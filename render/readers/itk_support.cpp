@@ -67,6 +67,19 @@ ScalarType scalar_type(const std::string& name, itk::CommonEnums::IOComponent co
                           itk::ImageIOBase::GetComponentTypeAsString(component)));
 }
 
+std::vector<ChoiceOption> component_options(const itk::ImageIOBase& io) {
+  using enum itk::CommonEnums::IOPixel;
+  std::vector<std::string> names;
+  if (io.GetPixelType() == RGB) names = {"red", "green", "blue"};
+  if (io.GetPixelType() == RGBA) names = {"red", "green", "blue", "alpha"};
+  if (io.GetPixelType() == COMPLEX) names = {"real part", "imaginary part"};
+  std::vector<ChoiceOption> options;
+  if (names.size() != io.GetNumberOfComponents()) return options;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    options.push_back({fmt::format("{}", i), fmt::format("component {}: {}", i, names[i])});
+  return options;
+}
+
 void take_geometry(const itk::ImageIOBase& io, Volume& volume) {
   for (unsigned axis = 0; axis < std::min(3u, io.GetNumberOfDimensions()); ++axis) {
     volume.grid.spacing[int(axis)] = io.GetSpacing(axis);

@@ -6,6 +6,7 @@
 
 #include "presets/error.h"
 #include "render/files/header_text.h"
+#include "render/files/open_choice.h"
 #include "render/readers/readers.h"
 #include "render/readers/silence.h"
 #include "render/volume/convert.h"
@@ -107,11 +108,23 @@ void require_alike(const Page& page, const OIIO::ImageSpec& spec, const OIIO::Im
                   spec.format.c_str(), first.width, first.height, first.nchannels, first.format.c_str()));
 }
 
+/// By the names that the file gives its channels, where there are not too many.
+std::vector<ChoiceOption> channel_options(const OIIO::ImageSpec& spec) {
+  constexpr int most = 64;
+  std::vector<ChoiceOption> options;
+  for (int i = 0; i < spec.nchannels && spec.nchannels <= most; ++i)
+    options.push_back(
+        {fmt::format("{}", i), fmt::format("component {}: {}", i, one_line(spec.channel_name(i)))});
+  return options;
+}
+
 std::size_t channel_of(const FileRequest& request, const OIIO::ImageSpec& spec) {
   if (spec.nchannels > 1 && !request.query.contains("component")) {
-    throw Error(
+    throw ChoiceNeeded(
         fmt::format("{}: its images have {} channels, and a volume is one: take the first with ?component=0",
-                    request.name(), spec.nchannels));
+                    request.name(), spec.nchannels),
+        {ChoiceKind::component, request.name(), request.query, std::uint64_t(spec.nchannels),
+         channel_options(spec)});
   }
   return std::size_t(integer_in(request.name(), request.query, "component", 0, 0, spec.nchannels - 1));
 }
