@@ -9,6 +9,7 @@
 
 #include "presets/error.h"
 #include "render/files/header_text.h"
+#include "render/files/kinds.h"
 #include "render/readers/dicom_structure.h"
 #include "render/readers/itk_support.h"
 #include "render/readers/readers.h"
@@ -138,7 +139,7 @@ Volume read_files(const FileRequest& request, const Files& files, std::string no
   const glm::u64vec3 file_dims(first->GetDimensions(0), first->GetDimensions(1), first->GetDimensions(2));
   const glm::u64vec3 dims(file_dims.x, file_dims.y, file_dims.z * files.size());
   if (dims.z < 2) throw Error(fmt::format("{}: one DICOM slice: open the folder with its series", name));
-  require_memory(name, dims, components * sizeof(double) / files.size(), request.memory);
+  request.require_memory(dims, components * sizeof(double) / files.size());
 
   Volume volume;
   volume.note = std::move(note);
@@ -170,11 +171,6 @@ Volume read_files(const FileRequest& request, const Files& files, std::string no
 }
 
 }  // namespace
-
-bool has_dicom(const fs::path& folder) {
-  return std::ranges::any_of(fs::directory_iterator(folder),
-                             [](const auto& entry) { return is_dicom(entry.path()); });
-}
 
 Volume read_dicom_file(const FileRequest& request) {
   require_known_keys(request.name(), request.query, "component");
