@@ -141,7 +141,7 @@ Volume read_raw(const FileRequest& request) {
   volume.grid.origin = parse_vector(name, query, "origin", glm::dvec3(0));
   require_memory(name, size, sizeof(double), std::numeric_limits<std::uint64_t>::max());
   require_byte_count(request, query, size, type, offset);
-  require_memory(name, size, 0, request.memory);
+  request.require_memory(size, 0);
   volume.grid.dims = glm::ivec3(size);
   volume.values = read_values(request, volume.grid.point_count(), type, endian, offset);
   return volume;

@@ -10,6 +10,8 @@
 
 #include "presets/error.h"
 #include "render/files/header_text.h"
+#include "render/files/kinds.h"
+
 #include "render/files/open_choice.h"
 #include "render/readers/dicom_structure.h"
 #include "render/readers/itk_support.h"
@@ -118,7 +120,7 @@ Files series_files(const FileRequest& request, std::string& note) {
                                      fmt::join(std::views::keys(all), ", ")),
                          choice_of(request, all));
     }
-  } else if (request.asks && all.size() > 1) {
+  } else if (request.reading.asks && all.size() > 1) {
     throw ChoiceNeeded(fmt::format("{}: it has {} series: take one with ?series={}", request.name(),
                                    all.size(), chosen->first),
                        choice_of(request, all));
@@ -177,7 +179,7 @@ Volume read_files(const FileRequest& request, const Files& files, std::string no
   const glm::u64vec3 file_dims(first->GetDimensions(0), first->GetDimensions(1), first->GetDimensions(2));
   const glm::u64vec3 dims(file_dims.x, file_dims.y, file_dims.z * files.size());
   if (dims.z < 2) throw Error(fmt::format("{}: one DICOM slice: open the folder with its series", name));
-  require_memory(name, dims, components * sizeof(double) / files.size(), request.memory);
+  request.require_memory(dims, components * sizeof(double) / files.size());
 
   Volume volume;
   volume.note = std::move(note);
@@ -209,11 +211,6 @@ Volume read_files(const FileRequest& request, const Files& files, std::string no
 }
 
 }  // namespace
-
-bool has_dicom(const fs::path& folder) {
-  return std::ranges::any_of(fs::directory_iterator(folder),
-                             [](const auto& entry) { return is_dicom(entry.path()); });
-}
 
 Volume read_dicom_file(const FileRequest& request) {
   require_known_keys(request.name(), request.query, "component");

@@ -127,8 +127,7 @@ Volume read(const FileRequest& request, itk::ImageIOBase& io, FileHeader header,
   const std::uint64_t values = selection.stored_values();
   require_countable(name, selection, sizeof(double));
   require_room(name, header.data, values, size_of(type));
-  require_memory(name, selection.dims, selection.components * selection.frames * size_of(type) * copies,
-                 request.memory);
+  request.require_memory(selection.dims, selection.components * selection.frames * size_of(type) * copies);
   if (!header.inflate_here) require_all(name, header.data, values, size_of(type));
 
   Volume volume;

@@ -7,7 +7,6 @@
 
 #include "presets/error.h"
 #include "render/files/header_text.h"
-#include "render/readers/silence.h"
 
 namespace crest {
 namespace {
@@ -22,7 +21,6 @@ std::string without_object(std::string text) {
 }  // namespace
 
 void with_itk(const std::string& name, const std::function<void()>& work) {
-  const Silence silence;
   try {
     work();
   } catch (const itk::ExceptionObject& e) {

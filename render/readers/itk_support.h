@@ -11,8 +11,7 @@
 
 namespace crest {
 
-/// Runs `work` with what ITK and its libraries print kept off stderr; what they throw becomes a
-/// one-line Error that begins with `name`. One thread at a time.
+/// Runs `work`; what ITK and its libraries throw becomes a one-line Error that begins with `name`.
 void with_itk(const std::string& name, const std::function<void()>& work);
 
 /// Throws Error, which begins with `name`, for a type that is not a number.

@@ -16,8 +16,4 @@ Volume read_dicom_series(const FileRequest& request);  ///< of the folder's DICO
 Volume read_image_pages(const FileRequest& request);   ///< of one file
 Volume read_image_folder(const FileRequest& request);  ///< of the images in it, sorted by name
 
-/// Whether the folder holds a DICOM file, or image files.
-bool has_dicom(const std::filesystem::path& folder);
-bool has_images(const std::filesystem::path& folder);
-
 }  // namespace crest

@@ -6,9 +6,10 @@
 
 #include "presets/error.h"
 #include "render/files/header_text.h"
+#include "render/files/kinds.h"
+
 #include "render/files/open_choice.h"
 #include "render/readers/readers.h"
-#include "render/readers/silence.h"
 #include "render/volume/convert.h"
 #include "render/volume/memory.h"
 
@@ -18,13 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view keys = "component,spacing,origin";
-constexpr std::string_view image_extensions[] = {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp", ".exr",
-                                                 ".pgm", ".pnm", ".ppm",  ".tga", ".jp2",  ".webp"};
-
-bool is_image(const fs::path& path) {
-  return fs::is_regular_file(path) && !path.filename().string().starts_with('.') &&
-         std::ranges::find(image_extensions, extension_of(path)) != std::end(image_extensions);
-}
 
 /// As a person counts: slice2 before slice10, and slice02 where slice2 is. (strverscmp takes a number with
 /// leading zeros for a fraction: slice02 before slice1.)
@@ -142,14 +136,13 @@ glm::dvec3 vector_of(const FileRequest& request, std::string_view key, glm::dvec
 
 Volume read_pages(const FileRequest& request, const std::vector<Page>& pages) {
   require_known_keys(request.name(), request.query, keys);
-  const Silence silence;
   auto input = open(pages.front().file);
   const OIIO::ImageSpec first = input->spec();
   const std::size_t channel = channel_of(request, first);
   const ScalarType type = scalar_type(request.name(), first.format);
   const auto channels = std::size_t(first.nchannels);
   const glm::u64vec3 dims(std::uint64_t(first.width), std::uint64_t(first.height), pages.size());
-  require_memory(request.name(), dims, channels * size_of(type) / pages.size(), request.memory);
+  request.require_memory(dims, channels * size_of(type) / pages.size());
 
   Volume volume;
   volume.file_type = type;
@@ -175,11 +168,6 @@ Volume read_pages(const FileRequest& request, const std::vector<Page>& pages) {
 }
 
 }  // namespace
-
-bool has_images(const fs::path& folder) {
-  return std::ranges::any_of(fs::directory_iterator(folder),
-                             [](const auto& entry) { return is_image(entry.path()); });
-}
 
 Volume read_image_pages(const FileRequest& request) {
   std::vector<Page> pages;

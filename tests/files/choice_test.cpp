@@ -14,7 +14,7 @@ class ChoiceTest : public FileTest {
   /// What load_volume wants to know; the default where it wants nothing.
   static OpenChoice choice_of(const std::string& source, bool asks = false) {
     try {
-      load_volume(source, available_memory(), asks);
+      load_volume(source, {.asks = asks});
     } catch (const ChoiceNeeded& needed) {
       return needed.choice;
     }
@@ -53,7 +53,7 @@ TEST_F(ChoiceTest, SeveralSeriesAreAChoiceOnlyWhereAPersonCanBeAsked) {
   EXPECT_EQ(series.kind, ChoiceKind::series);
   ASSERT_EQ(series.options.size(), 2U);
   EXPECT_NE(series.options[0].text.find("3 images"), std::string::npos) << series.options[0].text;
-  EXPECT_EQ(load_volume(chosen_source(series, 1), available_memory(), true).grid.dims.z, 2);
+  EXPECT_EQ(load_volume(chosen_source(series, 1), {.asks = true}).grid.dims.z, 2);
   EXPECT_EQ(choice_of(path("s") + "?series=7").options, series.options);
 }
 

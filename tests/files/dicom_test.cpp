@@ -91,7 +91,7 @@ TEST_F(DicomTest, DamagedSlicesAreReadOrRefused) {
     }
     write("s/2.dcm", damaged);
     try {
-      load_volume(path("s"), 1u << 24);
+      load_volume(path("s"), {.memory = 1u << 24});
     } catch (const Error& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
     }

@@ -101,7 +101,7 @@ TEST_P(EveryFormat, DamagedHeadersAreReadOrRefused) {
           round % 2 == 0 ? char(below(256)) : char('0' + below(10));
     }
     try {
-      load_volume(write_sample(damaged), 1u << 24);
+      load_volume(write_sample(damaged), {.memory = 1u << 24});
     } catch (const Error& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
     }
@@ -123,8 +123,8 @@ TEST_P(EveryFormat, UpperCaseSymlinksAndOddNamesAreRead) {
 
 TEST_P(EveryFormat, TooLittleMemoryIsRefused) {
   const std::string file = write_sample(GetParam().sample(int16, GetParam().orders.front()));
-  EXPECT_THROW(load_volume(file, points * sizeof(float)), Error);
-  EXPECT_NO_THROW(load_volume(file, points * 64));
+  EXPECT_THROW(load_volume(file, {.memory = points * sizeof(float)}), Error);
+  EXPECT_NO_THROW(load_volume(file, {.memory = points * 64}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Volume, EveryFormat, testing::ValuesIn(formats),

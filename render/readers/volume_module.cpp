@@ -1,11 +1,11 @@
-#include "render/files/file_library.h"
-#include "render/readers/image_files.h"
+#include "presets/error.h"
+#include "render/files/file_modules.h"
 #include "render/readers/readers.h"
 
 namespace crest {
 namespace {
 
-Volume read_volume(FileForm form, const FileRequest& request) {
+Volume read(FileForm form, const FileRequest& request) {
   switch (form) {
     case FileForm::nrrd:
       return read_nrrd(request);
@@ -21,20 +21,16 @@ Volume read_volume(FileForm form, const FileRequest& request) {
       return read_dicom_file(request);
     case FileForm::dicom_series:
       return read_dicom_series(request);
-    case FileForm::image_pages:
-      return read_image_pages(request);
-    case FileForm::image_folder:
-      return read_image_folder(request);
+    default:
+      throw Error(request.name() + ": not a volume's file");
   }
-  return {};
 }
 
-constexpr FileLibrary library{
-    read_volume, has_dicom, has_images, encode_rgb8, encode_rgba32f, preset_in_picture_file, read_image_file};
+constexpr VolumeModule module{read};
 
 }  // namespace
 }  // namespace crest
 
-extern "C" __attribute__((visibility("default"))) const crest::FileLibrary* crest_file_library() {
-  return &crest::library;
+extern "C" __attribute__((visibility("default"))) const crest::VolumeModule* crest_volume_module() {
+  return &crest::module;
 }
