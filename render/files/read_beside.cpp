@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "presets/error.h"
+#include "presets/printable.h"
 #include "render/files/reader_answer.h"
 #include "render/files/reader_process.h"
 
@@ -95,7 +96,7 @@ class Reader {
   std::string text_of(const Json& line) {
     const Json& text = line.at("error");
     if (!text.is_string()) fail_unclear();
-    return text.get<std::string>();
+    return printable(text.get<std::string>());
   }
 
   /// What it takes longer to read may take longer.
