@@ -11,16 +11,16 @@
 
 #include "app/commands.h"
 #include "presets/error.h"
+#include "presets/printable.h"
 
 namespace crest {
 namespace {
 
-/// One line on stderr, whatever the text was.
-void report(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  for (auto& c : text)
-    if (c == '\n') c = ' ';
-  fmt::print(stderr, "crest: {}\n", text);
+/// One line on stderr, whatever the text was, where there is a stderr.
+void report(std::string_view text) {
+  while (text.ends_with('\n')) text.remove_suffix(1);
+  const std::string line = "crest: " + printable(text) + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
 const CommandLine::Texts texts = {

@@ -14,6 +14,7 @@
 #include "presets/json.h"
 #include "presets/json_text.h"
 #include "presets/preset_file.h"
+#include "presets/printable.h"
 #include "render/files/load.h"
 #include "render/scene/export_input.h"
 
@@ -37,8 +38,8 @@ int rows_of(const std::string& samples) {
 }
 
 void say(const Exporter& exporter, const Exported& exported, const std::optional<ExportPreview>& preview) {
-  for (const std::string& sentence : exported.losses) fmt::print(stderr, "lost: {}\n", sentence);
-  for (const std::string& sentence : exported.advice) fmt::print(stderr, "there: {}\n", sentence);
+  for (const std::string& sentence : exported.losses) fmt::print(stderr, "lost: {}\n", printable(sentence));
+  for (const std::string& sentence : exported.advice) fmt::print(stderr, "there: {}\n", printable(sentence));
   if (preview)
     fmt::print(stderr,
                "preview: {} beside Crest: RMSE {:.3g}, largest difference {:.3g}, {:.3g} % of the pixels off "

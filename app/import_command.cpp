@@ -6,6 +6,7 @@
 #include "presets/json.h"
 #include "presets/json_text.h"
 #include "presets/preset_file.h"
+#include "presets/printable.h"
 #include "render/files/load.h"
 
 namespace crest {
@@ -29,7 +30,7 @@ void list_names(const std::vector<Imported>& all, bool as_json) {
                       {"colors", one.has_colors},
                       {"opacities", one.has_opacities}});
     else
-      fmt::print("{}\n", one.preset.name);
+      fmt::print("{}\n", printable(one.preset.name));
   }
   if (as_json) fmt::print("{}\n", pretty(json));
 }
@@ -61,7 +62,7 @@ void import_file(const ImportOptions& options) {
   if (options.json)
     fmt::print("{}\n", pretty({{"file", options.output}, {"name", preset.name}, {"notes", chosen.notes}}));
   else
-    for (const std::string& note : chosen.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : chosen.notes) fmt::print(stderr, "note: {}\n", printable(note));
 }
 
 }  // namespace

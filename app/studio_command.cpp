@@ -15,6 +15,7 @@
 #include "presets/atomic_file.h"
 #include "presets/error.h"
 #include "presets/preset_file.h"
+#include "presets/printable.h"
 #include "render/files/load.h"
 #include "ui/style.h"
 
@@ -99,7 +100,7 @@ void run_window(const StudioOptions& options) {
     run_frames(options, window, studio);
   } catch (const std::exception& error) {
     if (!studio.leaves_thread()) throw;
-    fmt::print(stderr, "crest: {}\n", error.what());
+    fmt::print(stderr, "crest: {}\n", printable(error.what()));
     std::_Exit(1);
   }
   if (studio.leaves_thread()) std::_Exit(0);

@@ -36,6 +36,8 @@ std::string as_query_text(const nlohmann::json& value, std::string_view separato
 
 Query query_from_sidecar(const std::filesystem::path& sidecar) {
   constexpr std::size_t size_limit = 1 << 20;
+  if (!std::filesystem::is_regular_file(sidecar))
+    throw Error(fmt::format("{}: not a file, as what says the size of raw voxels is", sidecar.string()));
   const auto json = nlohmann::json::parse(read_file(sidecar, size_limit), nullptr, false);
   if (!json.is_object()) throw Error(fmt::format("{}: not a JSON object with {}", sidecar.string(), keys));
   Query query;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "presets/error.h"
+#include "presets/printable.h"
 #include "render/files/reader_answer.h"
 #include "render/files/reader_process.h"
 
@@ -97,7 +98,7 @@ class Reader {
   std::string text_of(const Json& line) {
     const Json& text = line.at("error");
     if (!text.is_string()) fail_unclear();
-    return text.get<std::string>();
+    return printable(text.get<std::string>());
   }
 
   [[noreturn]] void fail_as_told(const Json& line) {

@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "presets/error.h"
+#include "presets/printable.h"
 #include "render/files/file_modules.h"
 #include "render/files/geometry.h"
 #include "render/files/reader_answer.h"
@@ -92,6 +93,7 @@ bool needs_images(FileForm form) { return form >= FileForm::image_pages; }
 
 void answer_volume(const Answer& answer, Volume volume) {
   repair_geometry(volume);
+  volume.note = printable(volume.note);
   answer.line({{"volume", volume_to_json(volume)}, {"values", volume.values.size()}});
   answer.values(volume.values);
 }
@@ -141,7 +143,7 @@ int main(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& fault) {
     answer.line({{"error", fault.path1().string() + ": " + fault.code().message()}});
   } catch (const std::exception& fault) {
-    answer.line({{"error", fault.what()}});
+    answer.line({{"error", crest::printable(fault.what())}});  // JSON holds no other bytes
   }
   ::_exit(0);  // what the libraries would do at the end is not worth a wait, or a crash
 }

@@ -25,10 +25,29 @@ namespace {
 namespace fs = std::filesystem;
 using Files = std::vector<std::string>;
 
+/// ITK's reader. It would rescale colour, for which DICOM has no modality values (PS3.3, C.11.1), into a
+/// buffer that is too small.
+class DicomIO : public itk::GDCMImageIO {
+ public:
+  using Pointer = itk::SmartPointer<DicomIO>;
+  static Pointer New() {
+    Pointer io = new DicomIO;
+    io->UnRegister();
+    return io;
+  }
+  void ReadImageInformation() override {
+    itk::GDCMImageIO::ReadImageInformation();
+    if (GetNumberOfComponents() == 1) return;
+    m_RescaleSlope = 1;
+    m_RescaleIntercept = 0;
+    SetComponentType(GetInternalComponentType());
+  }
+};
+
 itk::GDCMImageIO::Pointer open(const std::string& file) {
   const DicomStructure structure = read_dicom_structure(file);
   if (!structure.has_image) throw Error(fmt::format("{}: the DICOM file holds no image", file));
-  const auto io = itk::GDCMImageIO::New();
+  const auto io = DicomIO::New();
   io->SetFileName(file);
   with_itk(file, [&] { io->ReadImageInformation(); });
   const std::uint64_t value_size = size_of(scalar_type(file, io->GetInternalComponentType()));
@@ -40,7 +59,7 @@ itk::GDCMImageIO::Pointer open(const std::string& file) {
     throw Error(fmt::format("{}: the header promises {} bytes of pixels, and the file has {}", file, promised,
                             *structure.pixel_bytes));
   }
-  return io;
+  return io.GetPointer();
 }
 
 glm::dvec3 position_of(const itk::GDCMImageIO& io) {

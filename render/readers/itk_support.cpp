@@ -11,10 +11,15 @@
 namespace crest {
 namespace {
 
-/// An exception's text without the object that ITK begins it with.
-std::string without_object(std::string text) {
-  const std::size_t object = text.find("): ");
-  if (text.starts_with("ITK ERROR") && object != std::string::npos) text.erase(0, object + 3);
+/// An exception's text without the objects, and their addresses, that ITK names in it.
+std::string without_objects(std::string text) {
+  for (const std::string_view head : {"itk::ERROR: ", "ITK ERROR: "}) {
+    for (std::size_t at = text.find(head); at != std::string::npos; at = text.find(head)) {
+      const std::size_t object = text.find("(0x", at), end = text.find("): ", at);
+      const bool has_object = object != std::string::npos && end != std::string::npos && object < end;
+      text.erase(at, has_object ? end + 3 - at : head.size());
+    }
+  }
   return one_line(text);
 }
 
@@ -24,11 +29,11 @@ void with_itk(const std::string& name, const std::function<void()>& work) {
   try {
     work();
   } catch (const itk::ExceptionObject& e) {
-    throw Error(fmt::format("{}: it could not be read: {}", name, without_object(e.GetDescription())));
+    throw Error(fmt::format("{}: it could not be read: {}", name, without_objects(e.GetDescription())));
   } catch (const std::bad_alloc&) {
     throw Error(fmt::format("{}: reading it takes more memory than there is", name));
   } catch (const std::exception& e) {
-    throw Error(fmt::format("{}: it could not be read: {}", name, one_line(e.what())));
+    throw Error(fmt::format("{}: it could not be read: {}", name, without_objects(e.what())));
   }
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 
 #include "presets/error.h"
@@ -15,18 +16,40 @@ namespace fs = std::filesystem;
 struct MetaText {
   std::map<std::string, std::string> fields;  ///< to ElementDataFile, which is the last one
   std::vector<std::string> file_list;         ///< the lines after "ElementDataFile = LIST"
+  int list_line = 1;                          ///< the number of the first of them
   std::size_t end = 0;                        ///< where they end, and local data begins
 };
 
+/// MetaIO reads keys and some values into buffers of a fixed size, and of a key that is there twice the
+/// first.
+void check_field(const std::string& name, int line, std::string_view key, std::string_view value,
+                 bool is_new) {
+  constexpr std::size_t longest_line = 4096, longest_text = 254;
+  constexpr std::string_view texts[] = {"Comment",        "Name",
+                                        "ObjectType",     "ObjectSubType",
+                                        "ObjectTypeName", "ObjectSubTypeName",
+                                        "DistanceUnits",  "AnatomicalOrientation",
+                                        "Modality"};
+  constexpr std::string_view once[] = {"NDims", "DimSize", "ElementType", "ElementNumberOfChannels",
+                                       "HeaderSize"};
+  const bool is_text = std::ranges::find(texts, key) != std::end(texts);
+  if (key.size() > longest_text || value.size() > (is_text ? longest_text : longest_line))
+    throw Error(fmt::format("{}: line {} of its header is longer than MetaImage's may be", name, line));
+  if (!is_new && std::ranges::find(once, key) != std::end(once))
+    throw Error(fmt::format("{}: line {} of its header has {} once more", name, line, key));
+}
+
 MetaText parse(const std::string& name, std::string_view head) {
-  constexpr std::size_t longest_line = 4096;  // MetaIO reads lines into buffers of a fixed size
   MetaText text;
   HeaderLines lines(head);
-  for (std::string_view line; !text.fields.contains("ElementDataFile") && lines.next(line);) {
+  int number = 1;
+  for (std::string_view line; !text.fields.contains("ElementDataFile") && lines.next(line); ++number) {
     if (trim(line).empty()) continue;
     const std::size_t equals = line.find_first_of("=:");
-    if (equals == std::string_view::npos || line.size() > longest_line) break;
-    text.fields[std::string(trim(line.substr(0, equals)))] = trim(line.substr(equals + 1));
+    if (equals == std::string_view::npos) break;
+    const std::string_view key = trim(line.substr(0, equals)), value = trim(line.substr(equals + 1));
+    check_field(name, number, key, value, !text.fields.contains(std::string(key)));
+    text.fields[std::string(key)] = value;
   }
   for (const char* key : {"NDims", "DimSize", "ElementType", "ElementDataFile"}) {
     if (!text.fields.contains(key)) {
@@ -34,7 +57,9 @@ MetaText parse(const std::string& name, std::string_view head) {
     }
   }
   text.end = lines.position();
+  text.list_line = number;
   for (std::string_view line; lines.next(line);) text.file_list.emplace_back(trim(line));
+  while (!text.file_list.empty() && text.file_list.back().empty()) text.file_list.pop_back();
   return text;
 }
 
@@ -60,8 +85,14 @@ std::vector<fs::path> voxel_files(const std::string& name, const fs::path& path,
   const auto parts = words(value);
   std::vector<fs::path> files;
   if (!parts.empty() && parts[0].starts_with("LIST")) {
+    int number = text.list_line;
     for (const std::string& line : text.file_list) {
-      if (!line.empty()) files.push_back(path.parent_path() / line);
+      if (line.empty()) {
+        throw Error(
+            fmt::format("{}: line {} of its header, in the list of its files, is empty", name, number));
+      }
+      files.push_back(path.parent_path() / line);
+      ++number;
     }
   } else if (value.find('%') != std::string::npos) {
     files = files_of_pattern(name, path.parent_path(), parts);

@@ -10,6 +10,7 @@
 
 #include "render/files/open_choice.h"
 #include "render/readers/readers.h"
+#include "render/readers/whole_images.h"
 #include "render/volume/convert.h"
 #include "render/volume/memory.h"
 
@@ -91,6 +92,13 @@ ScalarType scalar_type(const std::string& name, OIIO::TypeDesc format) {
   }
 }
 
+/// What OpenImageIO would fill up.
+void require_whole(const fs::path& file) {
+  const std::string extension = extension_of(file);
+  if (extension == ".tif" || extension == ".tiff") require_whole_tiff(file);
+  if (extension == ".jpg" || extension == ".jpeg") require_whole_jpeg(file);
+}
+
 void require_alike(const Page& page, const OIIO::ImageSpec& spec, const OIIO::ImageSpec& first) {
   if (spec.width == first.width && spec.height == first.height && spec.nchannels == first.nchannels &&
       spec.format == first.format && spec.depth <= 1) {
@@ -143,6 +151,7 @@ Volume read_pages(const FileRequest& request, const std::vector<Page>& pages) {
   const auto channels = std::size_t(first.nchannels);
   const glm::u64vec3 dims(std::uint64_t(first.width), std::uint64_t(first.height), pages.size());
   request.require_memory(dims, channels * size_of(type) / pages.size());
+  require_whole(pages.front().file);
 
   Volume volume;
   volume.file_type = type;
@@ -155,7 +164,10 @@ Volume read_pages(const FileRequest& request, const std::vector<Page>& pages) {
   const OIIO::TypeDesc read_as = first.format == OIIO::TypeHalf ? OIIO::TypeFloat : first.format;
   for (std::size_t k = 0; k < pages.size(); ++k) {
     const Page& page = pages[k];
-    if (k > 0 && page.file != pages[k - 1].file) input = open(page.file);
+    if (k > 0 && page.file != pages[k - 1].file) {
+      require_whole(page.file);
+      input = open(page.file);
+    }
     require_alike(page, input->spec(page.subimage), first);
     if (!input->read_image(page.subimage, 0, 0, first.nchannels, read_as, bytes.data())) {
       throw Error(fmt::format("{}: image {} could not be read: {}", page.file.string(), page.subimage + 1,

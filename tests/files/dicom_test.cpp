@@ -84,7 +84,7 @@ TEST_F(DicomTest, DamagedSlicesAreReadOrRefused) {
   write("s/1.dcm", dicom_slice(4, 3, 0, 1, pixels(0)));
   Random random(7);
   const auto below = [&](std::size_t n) { return std::size_t(random.uniform(0, double(n))); };
-  for (int round = 0; round < 1000; ++round) {
+  for (int round = 0; round < 150; ++round) {
     std::string damaged = slice;
     for (std::size_t i = 0, changes = 1 + below(3); i < changes; ++i) {
       damaged[128 + below(slice.size() - 128)] = char(below(256));
