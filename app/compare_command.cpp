@@ -10,6 +10,7 @@
 #include "app/picture.h"
 #include "app/picture_grid.h"
 #include "app/scene_options.h"
+#include "app/sources.h"
 #include "presets/json.h"
 #include "presets/names.h"
 #include "render/files/load.h"
@@ -96,10 +97,13 @@ void compare_modes(const CompareOptions& options) {
 
 void add_compare_command(Options app, Action& chosen) {
   auto options = std::make_shared<CompareOptions>();
-  Options command = app.add_command("compare", "Render the four modes side by side, labelled");
-  command.add("VOLUME", options->scene.volume, "What to render (crest --help)").required();
+  Options command = app.add_command("compare", "Render the four modes side by side, labelled", "Pictures");
+  command.add("VOLUME", options->scene.volume, "What to render (crest --help)")
+      .required()
+      .offers(builtin_sources());
   options->scene.add_to(command);
   options->picture.add_to(command);
+  command.add_example("crest compare builtin:plume --preset fire --step 0.25 -o fire.png --json");
   command.when_read([options, &chosen] { chosen = [options] { compare_modes(*options); }; });
 }
 

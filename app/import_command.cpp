@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "app/commands.h"
+#include "app/sources.h"
 #include "presets/error.h"
 #include "presets/exchange/importers.h"
 #include "presets/json.h"
@@ -69,22 +70,27 @@ void import_file(const ImportOptions& options) {
 
 void add_import_command(Options app, Action& chosen) {
   auto options = std::make_shared<ImportOptions>();
-  Options command = app.add_command("import", "Read another program's transfer function");
+  Options command =
+      app.add_command("import", "Read another program's transfer function", "Presets elsewhere");
   std::string formats;
   for (const Importer& importer : importers()) formats += fmt::format("\n{}", importer.summary);
   command.add("FILE", options->file, "The file to read:" + formats).required();
   command.add("-o,--output", options->output, "The preset to write").type_name("PRESET");
   command.add("--name", options->name, "Which one, where the file has several");
   command.add_flag("--list", options->list, "Only print the names of what is in the file");
-  command.add("--take", options->take, "What of it: both, colors, opacities")
-      .one_of({"both", "colors", "opacities"})
-      .shows_default();
-  command.add("--onto", options->onto, "The preset that gives the rest").type_name("PRESET");
-  command.add("--volume", options->volume, "Write it in this volume's values and units");
+  command.add("--take", options->take, "What of it").one_of({"both", "colors", "opacities"}).shows_default();
+  command.add("--onto", options->onto, "The preset that gives the rest")
+      .type_name("PRESET")
+      .offers(library_names());
+  command.add("--volume", options->volume, "Write it in this volume's values and units")
+      .type_name("VOLUME")
+      .offers(builtin_sources());
   command.add_flag(
       "--fit", options->fit,
       "Lay its values over the range of --onto's points, or of the volume, as ParaView does with its maps");
   command.add_flag("--json", options->json, "Say on the standard output as JSON what was read");
+  command.add_example("crest import CT-Bone.vp.json -o my.json");
+  command.add_example("crest import presets.xml --list");
   command.when_read([options, &chosen] { chosen = [options] { import_file(*options); }; });
 }
 

@@ -9,6 +9,7 @@
 #include "app/picture_maker.h"
 #include "app/preset_source.h"
 #include "app/scene_options.h"
+#include "app/sources.h"
 #include "presets/json.h"
 #include "render/files/load.h"
 #include "render/measure/probe_scene.h"
@@ -132,8 +133,10 @@ void render_picture(RenderOptions options) {
 
 void add_render_command(Options app, Action& chosen) {
   auto options = std::make_shared<RenderOptions>();
-  Options command = app.add_command("render", "Render one picture");
-  command.add("VOLUME", options->scene.volume, "What to render (crest --help)").required();
+  Options command = app.add_command("render", "Render one picture", "Pictures");
+  command.add("VOLUME", options->scene.volume, "What to render (crest --help)")
+      .required()
+      .offers(builtin_sources());
   options->scene.add_to(command);
   options->picture.add_to(command);
   command
@@ -147,6 +150,9 @@ void add_render_command(Options app, Action& chosen) {
       .in(1, 3600)
       .type_name("N");
   options->automatic.add_to(command);
+  command.add_example("crest render builtin:plume --preset dirac-shell -o plume.png");
+  command.add_example("crest render head.nrrd --preset my.json --mode PEAK_ONLY --size 800x600 -o head.exr");
+  command.add_example("crest render builtin:sphere --preset onion --eye -2,-4,1.5 --up 0,0,1 -o onion.png");
   command.when_read([options, &chosen] {
     options->automatic.check(options->scene);
     if (const std::filesystem::path bound = options->error_bound;

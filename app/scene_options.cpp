@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "app/preset_source.h"
+#include "app/sources.h"
 #include "presets/error.h"
 #include "presets/names.h"
 #include "presets/number_text.h"
@@ -29,6 +30,13 @@ std::string triple(const std::string& path, const std::string& text) {
   return fmt::format("{}=[{}]", path, array);
 }
 
+template <NamedEnum T>
+std::vector<std::string> words_of() {
+  std::vector<std::string> names;
+  for (const auto& named : names_of<T>()) names.emplace_back(named.name);
+  return names;
+}
+
 /// The preset with one field as an option says. A wrong field or value is a fault of the command line.
 Preset with_field(const Preset& preset, const char* option, const std::string& assignment) {
   try {
@@ -45,18 +53,19 @@ void SceneOptions::add_to(Options options) {
       .add(
           "--preset", preset,
           "A preset's file, its name in the library (crest list presets), or a picture that was made with it")
-      .type_name("FILE");
-  options.add("--mode", mode, "What a ray collects: " + name_list<Mode>()).type_name("MODE");
-  options.add("--engine", engine, "What renders: " + name_list<Engine>()).type_name("ENGINE");
-  options
-      .add("--illumination", illumination, "What a sample contributes to its ray: " + name_list<BlendMode>())
-      .type_name("NAME");
+      .type_name("PRESET")
+      .offers(library_names());
+  options.add("--mode", mode, "What a ray collects").type_name("MODE").one_of(words_of<Mode>());
+  options.add("--engine", engine, "What renders").type_name("ENGINE").one_of(words_of<Engine>());
+  options.add("--illumination", illumination, "What a sample contributes to its ray")
+      .type_name("NAME")
+      .one_of(words_of<BlendMode>());
   options.add("--step", step, "Step length, in units of the smallest spacing").type_name("STEP");
   options.add("--eye", eye, "Camera: where the eye is (world units)").type_name("X,Y,Z");
   options.add("--target", target, "Camera: what it looks at").type_name("X,Y,Z");
   options.add("--up", up, "Camera: what is up").type_name("X,Y,Z");
   options.add("--fov", fov, "Camera: vertical field of view in degrees").type_name("DEG");
-  options.add("--set", sets, "Sets any field of the preset by its JSON path: --set rendering.step=0.5")
+  options.add("--set", sets, "Sets any field of the preset by its JSON path, as rendering.step=0.5")
       .type_name("PATH=VALUE")
       .one_value_each();  // one value each: what follows is VOLUME
   options.add_flag("--fit-range", fit_range, "Map the transfer function's span onto the volume's range");

@@ -1,12 +1,29 @@
 #include "app/sources.h"
 
+#include <fmt/core.h>
+
 #include <filesystem>
+
+#include "presets/preset_file.h"
+#include "render/volume/builtin.h"
 
 namespace crest {
 
 std::string absolute_source(const std::string& source) {
   if (source.empty() || source.starts_with("builtin:")) return source;
   return std::filesystem::absolute(source).lexically_normal().string();  // a query at the end stays there
+}
+
+std::vector<std::string> builtin_sources() {
+  std::vector<std::string> sources;
+  for (const Builtin& builtin : builtins()) sources.push_back(fmt::format("builtin:{}", builtin.name));
+  return sources;
+}
+
+std::vector<std::string> library_names() {
+  std::vector<std::string> names;
+  for (const LibraryPreset& preset : library()) names.emplace_back(preset.name);
+  return names;
 }
 
 }  // namespace crest

@@ -1,11 +1,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace crest {
 
 /// A volume's source, or a preset's path, that means the same in every working folder. Built-in volumes stay
 /// as they are.
 std::string absolute_source(const std::string& source);
+
+/// The built-in volumes as sources, and the names of the library's presets: what completions offer.
+std::vector<std::string> builtin_sources();
+std::vector<std::string> library_names();
 
 }  // namespace crest

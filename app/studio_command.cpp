@@ -10,7 +10,9 @@
 #include "app/layout_file.h"
 #include "app/preset_source.h"
 #include "app/scene_options.h"
+#include "app/sources.h"
 #include "app/studio.h"
+#include "app/unknown_word.h"
 #include "app/window.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
@@ -114,9 +116,10 @@ void open_studio(const StudioOptions& options) {
 }
 
 /// A word that stands alone could be a mistyped command.
-void expect_volume(const std::string& source) {
+void expect_volume(const OptionTable& table, const std::string& source) {
   if (source.find_first_of("./:?") == source.npos && !is_volume_there(source))
-    throw UsageError("VOLUME", fmt::format("'{}' is neither a command nor a file or folder", source));
+    throw UsageError("VOLUME", fmt::format("'{}' is neither a command nor a file or folder{}", source,
+                                           meant_command(table, source)));
 }
 
 /// What the studio does where it has no display: a picture instead of a window.
@@ -135,22 +138,35 @@ void run_without_display(StudioOptions options) {
 
 }  // namespace
 
+namespace {
+
+void add_studio_options(Options to, StudioOptions& options) {
+  to.add("VOLUME", options.scene.volume, "What to open").offers(builtin_sources());
+  options.scene.add_to(to);
+  to.add("--shaders", options.shader_folder, "Read the shaders from this folder; F5 reads them again")
+      .existing_folder();
+  to.add("--log-frames", options.frame_log, "On quitting, write frame times and edit-to-view times here")
+      .type_name("FILE");
+  to.add("--log-layout", options.layout_file,
+         "Write where the widgets are, for scripts that drive the window")
+      .type_name("FILE");
+}
+
+}  // namespace
+
 void add_studio(Options app, Action& chosen) {
   auto options = std::make_shared<StudioOptions>();
-  app.add("VOLUME", options->scene.volume, "What to open in the studio window");
-  options->scene.add_to(app);
-  app.add("--shaders", options->shader_folder, "Read the shaders from this folder; F5 reads them again")
-      .existing_folder();
-  app.add("--log-frames", options->frame_log, "On quitting, write frame times and edit-to-view times here")
-      .type_name("FILE");
-  app.add("--log-layout", options->layout_file,
-          "Write where the widgets are, for scripts that drive the window")
-      .type_name("FILE");
-  app.when_read([options, &chosen, app] {
+  const auto run = [options] { has_display() ? open_studio(*options) : run_without_display(*options); };
+  add_studio_options(app, *options);
+  app.when_read([options, run, &chosen, app] {
     if (app.has_command()) return;
-    if (!options->scene.volume.empty()) expect_volume(options->scene.volume);
-    chosen = [options] { has_display() ? open_studio(*options) : run_without_display(*options); };
+    if (!options->scene.volume.empty()) expect_volume(app.table(), options->scene.volume);
+    chosen = run;
   });
+  Options command = app.add_command("window", "The studio; also without this word: crest [VOLUME]", "Look");
+  command.add_example("crest head.nrrd --preset dirac-shell");
+  add_studio_options(command, *options);
+  command.when_read([run, &chosen] { chosen = run; });
 }
 
 }  // namespace crest

@@ -97,11 +97,11 @@ TEST(SetField, RefusesWhatIsNotThere) {
             "rendering.stp: no field \"stp\"; rendering has: mode, peak_form, engine, vdls, classification, "
             "preintegration_bins, step, placement, sampling, s_k, adaptive, skipping, filter, root_filter, "
             "bc_b, bc_c, max_peaks, peak_bins, shading, gradient, illumination, early_termination, clip_box, "
-            "background");
+            "background; did you mean step?");
   EXPECT_EQ(error_of("render.step=1"),
             "render.step: no field \"render\"; a preset has: format, version, name, notes, tags, "
             "transfer_function, "
-            "rendering, camera");
+            "rendering, camera; did you mean rendering?");
   EXPECT_EQ(error_of("transfer_function.points[2].value=1"),
             "transfer_function.points[2].value: transfer_function.points has 2 elements, counted from 0");
   EXPECT_EQ(error_of("rendering[0]=1"), "rendering[0]: rendering is not an array");
