@@ -39,15 +39,10 @@ is_there() { # a library of this machine
   ldconfig -p 2>/dev/null | grep -q "^[[:space:]]*$1 .*x86-64"
 }
 
-# The machine's own dispatch between drivers (libglvnd) goes before the bundle's, which is for containers that are
-# given a driver and nothing else. They are not mixed, but for libOpenGL, which only passes on.
-gl=$work/gl
-mkdir "$gl"
-if ! is_there libEGL.so.1; then
-  cp "$root"/gl/*.so.* "$gl"
-elif is_there libGLdispatch.so.0 && ! is_there libOpenGL.so.0; then
-  cp "$root/gl/libOpenGL.so.0" "$gl"
-fi
+# The machine's own dispatch between drivers (libglvnd), or where it is not whole, the bundle's: in containers that are
+# given a driver and nothing else. Its libraries are of one version, or calls go astray: they are not mixed.
+gl=$root/gl
+if is_there libEGL.so.1 && { is_there libOpenGL.so.0 || is_there libGL.so.1; }; then gl=$work; fi
 if [ -z "${__EGL_VENDOR_LIBRARY_FILENAMES:-}${__EGL_VENDOR_LIBRARY_DIRS:-}" ]; then
   vendors=
   for folder in /etc/glvnd /usr/share/glvnd /usr/local/nvidia/share/glvnd /run/opengl-driver/share/glvnd; do
@@ -84,7 +79,8 @@ launch() { # WAY PROGRAM ARGUMENT...
 best= best_kind=
 for way in machine cxx c; do
   [ "$best_kind" != card ] || break
-  if ! device=$(launch $way "$root/bin/bench_frames" --device-only 2>"$work/why"); then
+  if ! device=$(launch $way "$root/bin/bench_frames" --device-only 2>"$work/why") ||
+    [ "$device" != "${device#*'"renderer":""'}" ]; then
     say "libraries '$way': $(tail -n 1 "$work/why")"
     continue
   fi
