@@ -163,22 +163,30 @@ bool edit_menu(Document& document, StudioState& state) {
   return changed;
 }
 
-/// Back to the whole volume. A turn of the wheel just before is a step of its own.
-bool reset_view(Document& document, StudioState& state) {
+/// Of a view, in pixels.
+glm::ivec2 shown_size(const StudioState& state) {
+  return glm::max(state.picture_dialog.as_shown, glm::ivec2(1));
+}
+
+/// Back to the whole volume, in the same projection. A turn of the wheel just before is a step of its own.
+bool reset_view(Document& document, StudioState& state, const StudioInputs& inputs) {
   state.history.record(document);
   state.camera_moved = -1;
-  const bool changed = document.preset.camera.has_value();
-  document.preset.camera.reset();
-  return changed;
+  std::optional<Camera>& camera = document.preset.camera;
+  const std::optional<Camera> before = std::exchange(camera, std::nullopt);
+  if (before && before->projection == Projection::parallel && inputs.volume)
+    camera = whole_volume_camera(inputs.volume->grid, aspect_of(shown_size(state)), before->fov_y_degrees,
+                                 Projection::parallel);
+  return camera != before;
 }
 
 /// Along an axis, or turned about the line of sight.
 bool camera_menu(Document& document, StudioState& state, const StudioInputs& inputs) {
   if (!menu(state, "Look along")) return false;
-  const glm::ivec2 shown = glm::max(state.picture_dialog.as_shown, glm::ivec2(1));
   const auto move = [&](const char* text, auto&& changed) {
     if (!item(state, text, nullptr, inputs.volume != nullptr)) return false;
-    document.preset.camera = changed(camera_of(document.preset, inputs.volume->grid, aspect_of(shown)));
+    document.preset.camera =
+        changed(camera_of(document.preset, inputs.volume->grid, aspect_of(shown_size(state))));
     return true;
   };
   bool changed = false;
@@ -195,6 +203,13 @@ bool camera_menu(Document& document, StudioState& state, const StudioInputs& inp
   changed |= move("Roll to the left", [](const Camera& camera) { return roll(camera, -quarter); });
   ImGui::EndMenu();
   return changed;
+}
+
+bool toggle_parallel(Document& document, const StudioState& state, const StudioInputs& inputs) {
+  if (!inputs.volume) return false;
+  document.preset.camera =
+      with_other_projection(camera_of(document.preset, inputs.volume->grid, aspect_of(shown_size(state))));
+  return true;
 }
 
 void toggle_exact(ViewsState& views) {
@@ -232,8 +247,14 @@ bool view_menu(Document& document, StudioState& state, const StudioInputs& input
   bool changed = false;
   if (item(state, "Save a picture...", "Ctrl+P", inputs.volume != nullptr)) state.picture_dialog.asked = true;
   ImGui::Separator();
-  if (item(state, "Reset view", "R")) changed |= reset_view(document, state);
+  if (item(state, "Reset view", "R")) changed |= reset_view(document, state, inputs);
   changed |= camera_menu(document, state, inputs);
+  const bool parallel = document.preset.camera && document.preset.camera->projection == Projection::parallel;
+  if (ImGui::MenuItem("Parallel projection", "O", parallel, inputs.volume != nullptr))
+    changed |= toggle_parallel(document, state, inputs);
+  note_item(state.widgets, "Parallel projection");
+  tip("Without perspective: parallel edges stay parallel, and lengths can be compared.\n"
+      "The wheel magnifies; what lies where you look stays as large when this is switched.");
   ImGui::MenuItem("Outline and axes", nullptr, &state.views.outline);
   ImGui::MenuItem("Suggested peaks", nullptr, &state.editor.suggestions);
   note_item(state.widgets, "Suggested peaks");
@@ -321,7 +342,7 @@ bool only_opened(const WidgetState& widgets) {
          });
 }
 
-bool shortcuts(Document& document, StudioState& state, const StudioInputs&, StudioRequests& requests) {
+bool shortcuts(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return false;
   if (key_pressed(key_f1)) state.show_help = true;
@@ -354,7 +375,8 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
     if (key_pressed('1' + i)) enlarge(state.views, i);
   if (key_pressed('X')) toggle_exact(state.views);
   if (key_pressed('B')) toggle_error_bound(state.views);
-  return key_pressed('R') && !ImGui::IsAnyMouseDown() && reset_view(document, state);
+  if (key_pressed('O') && !ImGui::IsAnyMouseDown()) return toggle_parallel(document, state, inputs);
+  return key_pressed('R') && !ImGui::IsAnyMouseDown() && reset_view(document, state, inputs);
 }
 
 }  // namespace crest

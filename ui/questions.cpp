@@ -41,6 +41,7 @@ constexpr HelpLine help_lines[] = {
     {"X", "the exact picture at rest, or as the settings have it"},
     {"B", "how far each pixel of the exact picture may be off"},
     {"R", "reset: the whole volume in view"},
+    {"O", "parallel projection, or perspective"},
     {"", "Slices"},
     {"left drag, wheel", "move the cursor; the next slice"},
     {"", "Files"},
