@@ -245,7 +245,7 @@ void go_back(StudioState& state) {
 bool view_menu(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   if (!menu(state, "View")) return false;
   bool changed = false;
-  if (item(state, "Save a picture...", "Ctrl+P", inputs.volume != nullptr)) state.picture_dialog.asked = true;
+  if (item(state, "Save a picture...", "Ctrl+P")) state.picture_dialog.asked = true;
   ImGui::Separator();
   if (item(state, "Reset view", "R")) changed |= reset_view(document, state, inputs);
   changed |= camera_menu(document, state, inputs);
