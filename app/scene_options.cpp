@@ -65,6 +65,7 @@ void SceneOptions::add_to(Options options) {
   options.add("--target", target, "Camera: what it looks at").type_name("X,Y,Z");
   options.add("--up", up, "Camera: what is up").type_name("X,Y,Z");
   options.add("--fov", fov, "Camera: vertical field of view in degrees").type_name("DEG");
+  options.add("--projection", projection, "Camera: " + name_list<Projection>()).type_name("NAME");
   options.add("--set", sets, "Sets any field of the preset by its JSON path, as rendering.step=0.5")
       .type_name("PATH=VALUE")
       .one_value_each();  // one value each: what follows is VOLUME
@@ -74,8 +75,9 @@ void SceneOptions::add_to(Options options) {
 bool SceneOptions::has_any() const {
   const auto is_given = [](const std::string& text) { return !text.empty(); };
   return fit_range || !sets.empty() ||
-         std::ranges::any_of(std::array{preset, mode, engine, illumination, step, eye, target, up, fov},
-                             is_given);
+         std::ranges::any_of(
+             std::array{preset, mode, engine, illumination, step, eye, target, up, fov, projection},
+             is_given);
 }
 
 Preset SceneOptions::read_preset() const {
@@ -106,16 +108,18 @@ Preset SceneOptions::with_camera(Preset result) const {
   set_if("--target", target, triple("camera.target", target));
   set_if("--up", up, triple("camera.up", up));
   set_if("--fov", fov, "camera.fov_y_degrees=" + fov);
+  set_if("--projection", projection, "camera.projection=" + projection);
   return result;
 }
 
 Preset SceneOptions::for_volume(Preset result, const Volume& loaded, double aspect) const {
-  if (!eye.empty() || !target.empty() || !up.empty() || !fov.empty()) {
+  if (!eye.empty() || !target.empty() || !up.empty() || !fov.empty() || !projection.empty()) {
     const bool is_fitted = !result.camera && eye.empty() && target.empty();
     result.camera = camera_of(result, loaded.grid, aspect);
     result = with_camera(std::move(result));
     if (is_fitted) {
-      const Camera whole = whole_volume_camera(loaded.grid, aspect, result.camera->fov_y_degrees);
+      const Camera whole =
+          whole_volume_camera(loaded.grid, aspect, result.camera->fov_y_degrees, result.camera->projection);
       result.camera->eye = whole.eye;
       result.camera->target = whole.target;
     }

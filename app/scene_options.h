@@ -14,8 +14,9 @@ namespace crest {
 /// The options that say what is rendered, and how: those of `render`, `compare` and the studio.
 struct SceneOptions {
   std::string volume, preset;
-  std::string mode, engine, illumination, step, eye, target, up, fov;  ///< as typed; empty where not given
-  std::vector<std::string> sets;                                       ///< PATH=VALUE
+  /// As typed; empty where not given.
+  std::string mode, engine, illumination, step, eye, target, up, fov, projection;
+  std::vector<std::string> sets;  ///< PATH=VALUE
   bool fit_range = false;
 
   void add_to(Options options);

@@ -121,6 +121,7 @@ class Studio {
   ViewRequest view_request(const ViewContent& content, const Scene& own, ShownPicture shown_by_all_views,
                            glm::ivec2 size) const;
   void save_picture(const PictureAsk& ask);
+  void save_editor_picture(const PictureAsk& ask);
   void take_saved_picture();
   std::array<ViewRequest, picture_count> view_requests(const StudioRequests& requests) const;
   void update_rays(const StudioRequests& requests, bool interactive);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/editor_image.h"
 #include "app/export_files.h"
 #include "app/preset_source.h"
 #include "app/studio.h"
@@ -300,8 +301,20 @@ void Studio::save_ray_to(const std::filesystem::path& path) {
   }
 }
 
+/// At once: it is some triangles.
+void Studio::save_editor_picture(const PictureAsk& ask) {
+  try {
+    const Image image = editor_image(document_, ui_->editor, inputs(false), ask.size);
+    write_image(ask.path, image, {}, write_preset(document_.preset));
+    say(fmt::format("Saved {}", ask.path.string()));
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
 /// In the background, at a size of its own: the window stays live.
 void Studio::save_picture(const PictureAsk& ask) {
+  if (ask.view == picture_of_editor) return save_editor_picture(ask);
   if (!loaded_.volume) return;
   if (picture_maker_.is_busy()) return say("A picture is being saved: wait until it is done", true);
   const ViewsState& views = ui_->views;

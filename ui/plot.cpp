@@ -114,7 +114,7 @@ void draw_diamond(ImDrawList& list, ImVec2 at, float radius, ImU32 color, bool f
   const ImVec2 corners[] = {
       {at.x, at.y - radius}, {at.x + radius, at.y}, {at.x, at.y + radius}, {at.x - radius, at.y}};
   if (filled) list.AddConvexPolyFilled(corners, 4, color);
-  list.AddPolyline(corners, 4, filled ? palette::curve : palette::dim, ImDrawFlags_Closed, 1.2F);
+  list.AddPolyline(corners, 4, filled ? palette::curve : palette::dim, ImDrawFlags_Closed, scaled(1.2F));
 }
 
 }  // namespace
@@ -175,7 +175,7 @@ void draw_curve(ImDrawList& list, const Plot& plot, const TransferFunction& tf) 
   std::vector<ImVec2> places;
   places.reserve(curve.size());
   for (const CurveVertex& v : curve) places.push_back(v.place);
-  list.AddPolyline(places.data(), int(places.size()), palette::curve, ImDrawFlags_None, 1.5F);
+  list.AddPolyline(places.data(), int(places.size()), palette::curve, ImDrawFlags_None, scaled(1.5F));
 }
 
 void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, std::span<const Peak> peaks) {
@@ -187,7 +187,7 @@ void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, 
     if (x < plot.low.x - 1 || x > plot.high.x + 1) continue;
     const float y = plot.y_of(peak.opacity);
     const ImU32 stem = peak.shown ? packed(first.color, 0.9) : palette::faint;
-    list.AddLine({x, plot.high.y}, {x, y}, stem, 1.5F);
+    list.AddLine({x, plot.high.y}, {x, y}, stem, scaled(1.5F));
     draw_diamond(list, {x, y}, scaled(7), packed(first.color), peak.shown);
     const std::string text = short_text((first.value + last.value) / 2);
     const float width = ImGui::CalcTextSize(text.c_str()).x, height = ImGui::GetFontSize();
@@ -217,7 +217,7 @@ void draw_points(ImDrawList& list, const Plot& plot, const TransferFunction& tf,
     const bool selected = std::binary_search(selection.begin(), selection.end(), i);
     const float radius = scaled(selected || hovered == i ? 5.5F : many ? 2.5F : 4.5F);
     const ImU32 ring = selected ? palette::accent : hovered == i ? IM_COL32_WHITE : palette::curve;
-    const float edge = selected ? scaled(2) : 1;
+    const float edge = scaled(selected ? 2 : 1);
     const auto corner = [&](float r) {
       return std::pair{ImVec2(at.x - r, at.y - r), ImVec2(at.x + r, at.y + r)};
     };

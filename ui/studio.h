@@ -152,9 +152,12 @@ struct LibraryRequest {
 /// Control points, first and last.
 using LitPoints = std::optional<std::pair<std::size_t, std::size_t>>;
 
-/// A picture to be saved: of one view, or of all that the grid shows.
+/// What a picture may be of, other than of one view.
+inline constexpr int picture_of_grid = -1, picture_of_editor = -2;
+
+/// A picture to be saved: of one view, of all that the grid shows, or of the transfer-function editor.
 struct PictureAsk {
-  int view = -1;  ///< -1: the grid
+  int view = picture_of_grid;
   glm::ivec2 size{0};
   int turntable = 1;  ///< pictures of one turn
   std::filesystem::path path;

@@ -117,8 +117,9 @@ struct LibraryState {
 
 /// What is chosen for a picture that is saved.
 struct PictureDialog {
-  bool asked = false;      ///< to be opened in the next frame
-  glm::ivec2 as_shown{0};  ///< the size of a view, in the last frame
+  bool asked = false;  ///< to be opened in the next frame
+  glm::ivec2 as_shown{0},
+      editor_as_shown{0};  ///< sizes of a view and of the editor's plot, in the last frame
   PictureAsk ask;
 };
 

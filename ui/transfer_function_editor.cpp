@@ -20,6 +20,8 @@ namespace {
 
 ValueRange volume_range(const Volume* volume) { return volume ? volume->statistics.range : ValueRange{0, 1}; }
 
+}  // namespace
+
 Plot make_plot(const EditorState& editor, ImVec2 corner, ImVec2 size, ValueRange visible) {
   Plot plot;
   const float gutter = scaled(42), strip = axis_ticks(visible, 8).offset.empty() ? scaled(28) : scaled(44);
@@ -31,18 +33,28 @@ Plot make_plot(const EditorState& editor, ImVec2 corner, ImVec2 size, ValueRange
   return plot;
 }
 
-void draw_plot(const TransferFunction& tf, EditorState& editor, const Plot& plot,
-               const StudioInputs& inputs) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+void draw_plot_content(ImDrawList& list, const TransferFunction& tf, EditorState& editor, const Plot& plot,
+                       const StudioInputs& inputs) {
   draw_axes(list, plot);
   list.PushClipRect(plot.low, plot.high, true);
   const ValueMap to_domain = data_to_domain(tf, volume_range(inputs.volume));
   draw_value_curve(list, plot, editor, inputs, to_domain);
   draw_curve(list, plot, tf);
   draw_peaks(list, plot, tf, inputs.peaks);
-  draw_suggested_peaks(list, editor, inputs, plot, to_domain);
   list.PopClipRect();
   list.AddRect(plot.low, plot.high, palette::frame);
+}
+
+namespace {
+
+void draw_plot(const TransferFunction& tf, EditorState& editor, const Plot& plot,
+               const StudioInputs& inputs) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_plot_content(list, tf, editor, plot, inputs);
+  list.PushClipRect(plot.low, plot.high, true);
+  const ValueMap to_domain = data_to_domain(tf, volume_range(inputs.volume));
+  draw_suggested_peaks(list, editor, inputs, plot, to_domain);
+  list.PopClipRect();
   const float margin = scaled(8);
   list.PushClipRect({plot.low.x - margin, plot.low.y - margin}, {plot.high.x + margin, plot.high.y + margin},
                     true);
@@ -131,6 +143,9 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   Plot plot = make_plot(editor, corner, size, visible);
+  const ImVec2 pixel = ImGui::GetIO().DisplayFramebufferScale;
+  state.picture_dialog.editor_as_shown = {int(size.x * std::max(pixel.x, 1.0F)),
+                                          int(size.y * std::max(pixel.y, 1.0F))};
   state.widgets.items["plot"] = {plot.low, plot.high};
   for (std::size_t i = 0; i < tf.points.size(); ++i) {
     const ImVec2 at = plot.place(tf.points[i]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/plot.h"
 #include "ui/studio_state.h"
 
 namespace crest {
@@ -15,5 +16,12 @@ void frame_selection(const Document& document, EditorState& editor, const Studio
 ValueRange axis_range(const TransferFunction& tf, const Volume* volume);
 /// And what it shows.
 ValueRange visible_values(const TransferFunction& tf, const EditorState& editor, const Volume* volume);
+
+/// The editor's plot in a rectangle.
+Plot make_plot(const EditorState& editor, ImVec2 corner, ImVec2 size, ValueRange visible);
+
+/// What it shows of the transfer function and the volume, without points and what the mouse does.
+void draw_plot_content(ImDrawList& list, const TransferFunction& tf, EditorState& editor, const Plot& plot,
+                       const StudioInputs& inputs);
 
 }  // namespace crest

@@ -17,21 +17,28 @@ namespace {
 
 std::string needs_volume(const ActionContext& c) { return c.inputs.volume ? "" : "no volume is open"; }
 
-/// Back to the whole volume. A turn of the wheel just before is a step of its own.
+/// Of a view, in pixels.
+glm::ivec2 shown_size(const ActionContext& c) {
+  return glm::max(c.state.picture_dialog.as_shown, glm::ivec2(1));
+}
+
+/// Back to the whole volume, in the same projection. A turn of the wheel just before is a step of its own.
 bool reset_view(const ActionContext& c) {
   c.state.history.record(c.document);
   c.state.camera_moved = -1;
-  const bool changed = c.document.preset.camera.has_value();
-  c.document.preset.camera.reset();
-  return changed;
+  std::optional<Camera>& camera = c.document.preset.camera;
+  const std::optional<Camera> before = std::exchange(camera, std::nullopt);
+  if (before && before->projection == Projection::parallel && c.inputs.volume)
+    camera = whole_volume_camera(c.inputs.volume->grid, aspect_of(shown_size(c)), before->fov_y_degrees,
+                                 Projection::parallel);
+  return camera != before;
 }
 
 template <class Change>
 Action camera_action(const char* name, Change change) {
   return {.name = name, .why_not = needs_volume, .run = [change](const ActionContext& c) {
-            const glm::ivec2 shown = glm::max(c.state.picture_dialog.as_shown, glm::ivec2(1));
             Preset& preset = c.document.preset;
-            preset.camera = change(camera_of(preset, c.inputs.volume->grid, aspect_of(shown)));
+            preset.camera = change(camera_of(preset, c.inputs.volume->grid, aspect_of(shown_size(c))));
             return true;
           }};
 }
@@ -89,6 +96,17 @@ void add_camera_actions(std::vector<Action>& table) {
   constexpr double quarter = std::numbers::pi / 2;
   add(table, camera_action("Roll to the right", [](const Camera& camera) { return roll(camera, quarter); }));
   add(table, camera_action("Roll to the left", [](const Camera& camera) { return roll(camera, -quarter); }));
+  Action parallel = camera_action("Parallel projection", with_other_projection);
+  parallel.key = {'O'};
+  parallel.when = KeyWhen::at_rest;
+  parallel.tip =
+      "Without perspective: parallel edges stay parallel, and lengths can be compared.\n"
+      "The wheel magnifies; what lies where you look stays as large when this is switched.";
+  parallel.checked = [](const ActionContext& c) {
+    const std::optional<Camera>& camera = c.document.preset.camera;
+    return camera && camera->projection == Projection::parallel;
+  };
+  add(table, std::move(parallel));
 }
 
 void add_switches(std::vector<Action>& table) {
@@ -160,7 +178,6 @@ void add_view_actions(std::vector<Action>& table) {
   add(table, {.name = "Save a picture...",
               .key = ctrl_and('P'),
               .tip = "Or one turn, as pictures",
-              .why_not = needs_volume,
               .run = [](const ActionContext& c) {
                 c.state.picture_dialog.asked = true;
                 return false;

@@ -79,6 +79,7 @@ std::string render_command(const SceneOptions& scene, const std::string& size, c
   add("--target", scene.target);
   add("--up", scene.up);
   add("--fov", scene.fov);
+  add("--projection", scene.projection);
   for (const std::string& assignment : scene.sets) add("--set", assignment);
   for (const std::string& assignment : assignments_between(written, settings)) add("--set", assignment);
   add("--size", size);

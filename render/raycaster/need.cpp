@@ -163,8 +163,13 @@ void Decision::decide_steps() {
     return decide(&Features::skipping, why_no_skipping());
   }
   const std::string name = fmt::format("rendering.sampling is {}", name_of(sampling));
-  decide(&Features::differential, sampling == Sampling::differential ? "" : name, false);
-  decide(&Features::footprint, sampling == Sampling::footprint ? "" : name, false);
+  const Sampling taken = sampling_in(s_.camera, sampling);
+  decide(&Features::differential, taken == Sampling::differential ? "" : name, false);
+  decide(&Features::footprint,
+         taken == Sampling::footprint ? ""
+         : taken == sampling          ? name
+                                      : "in parallel projection no pixel's footprint grows",
+         false);
   decide(&Features::adaptive, s_.rendering.adaptive ? "" : "rendering.adaptive is false", false);
   decide(&Features::skipping, why_no_skipping(), !shows_values(need_.needed.blend_mode));
   if (has_equal_steps(sampling)) need_.features.placement = need_.needed.placement = s_.rendering.placement;
@@ -277,7 +282,7 @@ Need find_need(const Volume& volume, const Classification& classification, const
                    box,
                    longest_ray(camera, box) / spacing,
                    {}};
-  if (!facts.why_no_analytic().empty()) facts.steps = step_lengths(rendering, camera, size, box, spacing);
+  if (!facts.why_no_analytic().empty()) facts.steps = step_lengths(rendering, camera, size, box, volume.grid);
   return Decision(facts, forced, occupied_share).make(statistics);
 }
 

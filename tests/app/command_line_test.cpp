@@ -15,8 +15,8 @@ class CommandLine : public ProgramTest {
 };
 
 TEST_F(CommandLine, HelpTellsEachOption) {
-  const Words scene = {"--preset", "--mode", "--engine", "--step", "--eye",      "--target",
-                       "--up",     "--fov",  "--set",    "VOLUME", "--fit-range"};
+  const Words scene = {"--preset", "--mode", "--engine",     "--step", "--eye",  "--target",
+                       "--up",     "--fov",  "--projection", "--set",  "VOLUME", "--fit-range"};
   const Words picture = {"--output", "--size", "--frames", "--device", "--json"};
   const std::map<std::string, Words> commands = {
       {"window", scene + Words{"--shaders", "--log-frames", "--log-layout"}},
@@ -138,6 +138,7 @@ TEST_F(CommandLine, NumbersOfOptions) {
 
 TEST_F(CommandLine, Cameras) {
   expect_error(1, render + Words{"--eye", "1,1,1", "--target", "1,1,1"}, {"eye and target", "same point"});
+  expect_error(2, render + Words{"--projection", "isometric"}, {"--projection", "perspective, parallel"});
   for (const char* fov : {"0", "180", "-30", "nan"}) expect_error(2, render + Words{"--fov", fov}, {"--fov"});
   for (const char* eye : {"1,2", "1,2,3,4", "1,2,x", "nan,0,0", "1;2;3", "1,2,3],\"up\":[0"})
     expect_error(2, render + Words{"--eye", eye}, {"--eye", "camera.eye"});

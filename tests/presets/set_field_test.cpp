@@ -57,8 +57,10 @@ TEST(SetField, TakesNumbersAsPeopleWriteThem) {
 }
 
 TEST(SetField, MakesACameraAndTakesItAway) {
+  const Preset parallel = set_field(plain(), "camera.projection=parallel");
+  EXPECT_EQ(parallel.camera->projection, Projection::parallel);
   const Preset with = set_field(plain(), "camera.eye=[0,0,5]");
-  EXPECT_EQ(with.camera, (Camera{{0, 0, 5}, {0, 0, 1}, {0, 1, 0}, 30, ""}));
+  EXPECT_EQ(with.camera, (Camera{{0, 0, 5}, {0, 0, 1}, {0, 1, 0}, 30, Projection::perspective, ""}));
   EXPECT_EQ(set_field(with, "camera=null"), plain());
 }
 
