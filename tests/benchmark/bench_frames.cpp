@@ -18,6 +18,7 @@
 #include "app/scene_options.h"
 #include "presets/json.h"
 #include "presets/preset_file.h"
+#include "render/gl/filter_weights.h"
 #include "render/gl/timer.h"
 #include "render/measure/timing.h"
 #include "render/raycaster/raycaster.h"
@@ -65,6 +66,7 @@ Json device_json() {
           {"renderer", text_of(GL_RENDERER)},
           {"version", text_of(GL_VERSION)},
           {"glsl", text_of(GL_SHADING_LANGUAGE_VERSION)},
+          {"filter_weight_error", gl::measure_weight_error()},
           {"limits",
            {{"3d_texture_size", limit_of(GL_MAX_3D_TEXTURE_SIZE)},
             {"texture_size", limit_of(GL_MAX_TEXTURE_SIZE)},
@@ -103,6 +105,7 @@ struct Variant {
   ClassificationMethod classification = ClassificationMethod::post;
   bool all_samples = false;  ///< shading and skipping off
   bool only_reads = false;
+  Filter filter = Filter::linear;
 };
 
 constexpr Variant variants[] = {
@@ -110,6 +113,7 @@ constexpr Variant variants[] = {
     {"PEAK_XOR_DVR", Mode::peak_xor_dvr},
     {"analytic", Mode::peak_xor_dvr, ClassificationMethod::analytic},
     {"all_samples", Mode::dvr_only, ClassificationMethod::post, true},
+    {"linear_exact", Mode::dvr_only, ClassificationMethod::post, true, false, Filter::linear_exact},
     {"reads", Mode::dvr_only, ClassificationMethod::post, true, true},
 };
 
@@ -128,6 +132,7 @@ void measure(const std::string& volume_name, glm::ivec2 size, const Settings& se
       scene.rendering.mode = variant.mode;
       scene.rendering.classification = variant.classification;
       scene.rendering.step = 0.5;
+      scene.rendering.filter = variant.filter;
       if (variant.all_samples) {
         scene.rendering.shading = Shading::none;
         scene.rendering.skipping = false;
