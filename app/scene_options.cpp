@@ -50,9 +50,10 @@ Preset with_field(const Preset& preset, const char* option, const std::string& a
 
 void SceneOptions::add_to(Options options) {
   options
-      .add(
-          "--preset", preset,
-          "A preset's file, its name in the library (crest list presets), or a picture that was made with it")
+      .add("--preset", preset,
+           "A preset's file, its name in the library (crest list presets), or a picture that was made with "
+           "it; - is the "
+           "standard input")
       .type_name("PRESET")
       .offers(library_names());
   options.add("--mode", mode, "What a ray collects").type_name("MODE").one_of(words_of<Mode>());
@@ -135,9 +136,14 @@ Preset SceneOptions::read_preset(const Volume& loaded, double aspect) const {
 }
 
 void PictureOptions::add_to(Options options) {
-  options.add("-o,--output", output, "The picture: .png (8 bit over the background) or .exr (32-bit float)")
+  options
+      .add("-o,--output", output,
+           "The picture: .png (8 bit over the background) or .exr (32-bit float); - is the standard output")
       .required()
       .type_name("FILE");
+  options.add("--format", format, "Of the picture, whatever its name; of the standard output png without it")
+      .type_name("FORMAT")
+      .one_of({"png", "exr"});
   options.add("--size", size, "Width x height in pixels").shows_default().type_name("WxH");
   options.add("--frames", frames, "Frames to time; the statistics have their median")
       .in(1, 100000)
@@ -146,6 +152,11 @@ void PictureOptions::add_to(Options options) {
   options.add_flag("--exact", exact,
                    "By the exact march: no crossing missed, whatever the preset's step and classification");
   options.add_flag("--json", json, "Print statistics as JSON");
+}
+
+void PictureOptions::check() const {
+  if (is_to_stdout() && json)
+    throw UsageError("--json", "the picture goes to the standard output: without --json, or -o FILE");
 }
 
 Preset PictureOptions::with_exact(Preset preset, bool in_all_modes) const {

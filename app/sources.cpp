@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <filesystem>
-
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
 
@@ -12,6 +10,13 @@ namespace crest {
 std::string absolute_source(const std::string& source) {
   if (source.empty() || source.starts_with("builtin:")) return source;
   return std::filesystem::absolute(source).lexically_normal().string();  // a query at the end stays there
+}
+
+std::vector<std::filesystem::path> files_of(const std::string& source) {
+  std::error_code ignored;
+  for (const std::string& name : {source, source.substr(0, source.find('?'))})
+    if (std::filesystem::exists(name, ignored)) return {name};
+  return {};
 }
 
 std::vector<std::string> builtin_sources() {

@@ -44,6 +44,9 @@ class Studio {
   /// Keeps unsaved changes, so that they outlive a crash. To be called again and again, also at rest.
   void keep_unsaved_changes();
 
+  /// Takes over what the document's file has now; where there are unsaved changes it only says so.
+  void take_changed_preset();
+
   /// What was dropped on the window: a preset, of Crest's own or of another program, or a volume.
   void open(const std::string& source);
 

@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/compare.h"
+#include "app/file_watch.h"
 #include "app/frame_log.h"
 #include "app/layout_file.h"
 #include "app/preset_source.h"
@@ -27,6 +28,7 @@ namespace {
 struct StudioOptions {
   SceneOptions scene;
   std::string shader_folder, frame_log, layout_file;
+  bool watch = false;
 };
 
 constexpr double interactive_ms = 12;  ///< for the views, in a frame in which the person does something
@@ -39,7 +41,8 @@ Document initial_document(const StudioOptions& options) {
   document.volume_source = options.scene.volume;
   document.preset = options.scene.read_preset();
   const std::string& preset = options.scene.preset;
-  if (is_picture_file(preset)) return document;  // which is not what is saved into
+  if (is_picture_file(preset) || options.scene.is_preset_from_stdin())
+    return document;  // which is not what is saved into
   if (std::filesystem::exists(preset))
     document.preset_path = preset;
   else
@@ -51,14 +54,19 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
   using Clock = std::chrono::steady_clock;
   FrameLog log;
   LayoutFile layout(options.layout_file);
+  FileWatch preset_watch;
   Clock::time_point last_input = Clock::now();
   int settling = settling_frames;
   while (!studio.wants_to_quit()) {
     // At rest the program sleeps; while a volume is read, or something is measured, it looks up now and then
     const bool works = settling > 0 || studio.is_drawing();
-    const double pause = studio.is_loading() ? 0.05 : studio.is_measuring() ? 0.2 : 1.0;
+    const double pause = studio.is_loading() ? 0.05 : studio.is_measuring() || options.watch ? 0.2 : 1.0;
     window.poll_events(!works, studio.animates() ? std::min(pause, blink_s / 4) : pause);
     studio.keep_unsaved_changes();
+    if (options.watch && preset_watch.has_changed({studio.document().preset_path})) {
+      studio.take_changed_preset();
+      settling = settling_frames;
+    }
     const auto begin = Clock::now();
     if (window.had_input()) {
       last_input = begin;
@@ -143,6 +151,8 @@ namespace {
 void add_studio_options(Options to, StudioOptions& options) {
   to.add("VOLUME", options.scene.volume, "What to open").offers(builtin_sources());
   options.scene.add_to(to);
+  to.add_flag("--watch", options.watch,
+              "Take over the preset whenever its file changes, while nothing is unsaved here");
   to.add("--shaders", options.shader_folder, "Read the shaders from this folder; F5 reads them again")
       .existing_folder();
   to.add("--log-frames", options.frame_log, "On quitting, write frame times and edit-to-view times here")

@@ -243,6 +243,25 @@ bool Studio::save_preset_to(const std::filesystem::path& path) {
   }
 }
 
+void Studio::take_changed_preset() {
+  const std::string file = document_.preset_path.string();
+  try {
+    Preset fresh = load_preset_from(file);
+    const Preset* saved = saved_preset();
+    if (!saved || fresh == *saved) return;  // it was written from here
+    if (has_unsaved_changes())
+      return say(fmt::format("{} has changed outside; what is not saved here stays", file), true);
+    // The view stays where it is, unless the file has another one than before
+    if (fresh.camera == saved->camera) fresh.camera = document_.preset.camera;
+    keep_thumbnails();
+    document_.preset = std::move(fresh);
+    mark_saved();
+    say(fmt::format("{} has changed, and is read again", file));
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
 void Studio::open(const std::string& source) {
   if (is_preset_file(source) || holds_preset(source))
     dropped_preset_ = source;

@@ -170,6 +170,8 @@ std::string studies_with_seed() {
 
 /// Throws UsageError where one is wrong, or has no part in what is asked for.
 void check_options(const ReportOptions& options) {
+  if (options.scene.is_preset_from_stdin())
+    throw UsageError("--preset", "a report says what it is of: from a file, not from the standard input");
   budget_seconds(options.budget);
   target_option(options.target);
   seed_of(options.seed);
