@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/cache_folder.h"
+#include "app/manual.h"
 #include "app/user_folders.h"
 #include "render/scene/camera.h"
 #include "render/scene/exact.h"
@@ -89,6 +90,10 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.recovery) take_recovery(*requests.recovery);
   if (requests.measure) *requests.measure ? sweep_.switch_on() : sweep_.switch_off();
   if (requests.close_volume) close_volume();
+  if (requests.open_manual) {
+    const ManualOpened opened = open_manual(*requests.open_manual);
+    say(opened.message, opened.is_error);
+  }
   if (requests.reads_library) own_presets_.read_again(), read_library();
   if (requests.library) change_library(*requests.library);
   if (!quit_) return;
@@ -105,6 +110,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.imported = imported_;
   inputs.import_take = import_take_;
   inputs.export_picture = export_picture_.picture();
+  inputs.version = CREST_VERSION;
   inputs.message = message_;
   inputs.message_is_error = message_is_error_;
   inputs.recent = recent_.list();

@@ -13,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include "app/keyboard_layout.h"
 #include "presets/error.h"
 
 namespace crest {
@@ -63,11 +64,23 @@ void note_all_input(GLFWwindow* window, WindowInput& input) {
   });
 }
 
+/// By the present layout; one that goes up is what it went down as.
+int counted_key(WindowInput& input, int key, int scancode, int action) {
+  if (action == GLFW_RELEASE) {
+    const auto held = input.held.extract(scancode);
+    return held.empty() ? key : held.mapped();
+  }
+  const bool is_printable = key >= GLFW_KEY_APOSTROPHE && key <= GLFW_KEY_WORLD_2;
+  const int counted = is_printable ? key_on_cap(key, glfwGetKeyName(key, scancode)) : key;
+  return input.held.try_emplace(scancode, counted).first->second;
+}
+
 /// Keys and what they type are kept until the next frame, instead of going to Dear ImGui at once.
 void queue_keys(GLFWwindow* window) {
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
     note_input(w);
-    input_of(w).keys.push_back({key, scancode, action, mods});
+    WindowInput& input = input_of(w);
+    input.keys.push_back({counted_key(input, key, scancode, action), scancode, action, mods});
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
     note_input(w);
@@ -77,7 +90,7 @@ void queue_keys(GLFWwindow* window) {
 
 /// Whether a key only types its character, where a field is open. It needs no frame of its own.
 bool is_text(const KeyEvent& event) {
-  const bool printable = event.key >= GLFW_KEY_SPACE && event.key <= GLFW_KEY_GRAVE_ACCENT;
+  const bool printable = (event.key >= GLFW_KEY_SPACE && event.key <= GLFW_KEY_GRAVE_ACCENT) || event.key < 0;
   return printable && (event.mods & ~GLFW_MOD_SHIFT) == 0 && ImGui::GetIO().WantTextInput;
 }
 
@@ -115,6 +128,7 @@ Window::Window(const std::string& title, int width, int height)
   glfwSwapInterval(1);
   note_all_input(window_, input_);
   ImGui::CreateContext();
+  ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   ImGui::GetIO().IniFilename = nullptr;  // the layout is ours; nothing is left in the folder
   ImGui_ImplGlfw_InitForOpenGL(window_, true);
   queue_keys(window_);

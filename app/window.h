@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <glm/vec2.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@ struct GLFWwindow;
 
 namespace crest {
 
-/// A key that went down or up, as GLFW tells it; or a character that was typed.
+/// A key that went down or up, as GLFW tells it but by what is on its cap; or a character that was typed.
 struct KeyEvent {
   int key, scancode, action, mods;
   unsigned character = 0;  ///< then the others have no meaning
@@ -21,6 +22,7 @@ struct WindowInput {
   bool any = true;
   std::vector<std::string> dropped;      ///< files
   std::deque<KeyEvent> keys;             ///< not yet told to Dear ImGui
+  std::map<int, int> held;               ///< by scancode: as which key it went down
   std::optional<glm::dvec2> pressed_at;  ///< where a mouse button went down
   bool released = false;                 ///< a mouse button went up
 };

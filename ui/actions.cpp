@@ -90,7 +90,8 @@ void drop_typed(int letter) {
 }  // namespace
 
 bool shortcuts(const ActionContext& context) {
-  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return false;
+  // Esc closed one before the frame began
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) || context.state.navigation.popups > 0) return false;
   bool changed = false;
   for (const Action& action : actions()) {
     if (!has_key_pressed(action) || !counts(action.when, context.state.widgets)) continue;

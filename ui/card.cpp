@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/navigation.h"
 #include "ui/style.h"
 
 namespace crest {
@@ -32,6 +33,7 @@ bool card(WidgetState& state, const Card& what) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), size = card_size();
   const bool pressed = ImGui::InvisibleButton(what.name.c_str(), size);
   note_item(state, what.name);
+  const ImGuiID id = ImGui::GetID(what.name.c_str());
   const bool is_hovered = ImGui::IsItemHovered();
   if (is_hovered && !what.tooltip.empty()) {
     ImGui::BeginTooltip();
@@ -50,6 +52,8 @@ bool card(WidgetState& state, const Card& what) {
     list.AddImageRounded(reinterpret_cast<ImTextureID>(what.picture), low, picture_high, {0, 0}, {1, 1},
                          IM_COL32_WHITE, scaled(4), ImDrawFlags_RoundCornersTop);
   if (is_hovered) list.AddRect(low, high, palette::accent, scaled(4));
+
+  show_focus(id, low, high);
 
   const float room = size.x - scaled(2 * pad), line = ImGui::GetTextLineHeightWithSpacing();
   const ImVec2 at{low.x + scaled(pad), picture_high.y + scaled(pad)};

@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/actions.h"
+#include "ui/navigation.h"
 #include "ui/questions.h"
 #include "ui/style.h"
 
@@ -53,7 +55,7 @@ void line(const std::string& keys, const char* meaning, float indent) {
   ImGui::TextDisabled("%s", meaning);
 }
 
-void keys_of(Section section) {
+void keys_of(WidgetState& widgets, Section section) {
   bool any = false;
   for (const Action& action : actions()) {
     if (action.section != section || action.key.key == 0) continue;
@@ -61,6 +63,7 @@ void keys_of(Section section) {
     const std::string other = text_of(action.other_key);
     line(fmt::format("{}{}{}", key_text_of(action), other.empty() ? "" : ", ", other), action.name.c_str(),
          scaled(160));
+    note_item(widgets, "key/" + action.name);
   }
 }
 
@@ -85,15 +88,29 @@ void help_window(StudioState& state) {
   bool open = true;
   if (!ImGui::BeginPopupModal(name, &open, ImGuiWindowFlags_NoResize)) return;
   const float height = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing() - scaled(4);
-  ImGui::BeginChild("keys", {scaled(360), height});
-  for (int i = 0; i < section_count; ++i) keys_of(Section(i));
+  ImGui::BeginChild("keys", {scaled(360), height}, false, ImGuiWindowFlags_NavFlattened);
+  for (int i = 0; i < section_count; ++i) keys_of(state.widgets, Section(i));
   ImGui::EndChild();
   ImGui::SameLine();
-  ImGui::BeginChild("mouse", {0, height});
+  ImGui::BeginChild("mouse", {0, height}, false, ImGuiWindowFlags_NavFlattened);
   mouse_list();
   ImGui::EndChild();
-  if (ImGui::Button("Close", {scaled(104), 0}) || key_pressed(key::escape)) ImGui::CloseCurrentPopup();
+  if (default_button("Close", {scaled(104), 0}) || key_pressed(key::escape)) ImGui::CloseCurrentPopup();
   note_item(state.widgets, "close help");
+  ImGui::EndPopup();
+}
+
+void about_window(StudioState& state, const std::string& version) {
+  constexpr const char* name = "About Crest";
+  if (std::exchange(state.show_about, false)) ImGui::OpenPopup(name);
+  center_next_window();
+  bool open = true;
+  if (!ImGui::BeginPopupModal(name, &open, ImGuiWindowFlags_AlwaysAutoResize)) return;
+  ImGui::TextUnformatted(fmt::format("Crest {}", version).c_str());
+  ImGui::TextDisabled("Transfer functions for volume rendering, whose peaks are not lost.");
+  ImGui::Spacing();
+  if (default_button("Close", {scaled(104), 0}) || key_pressed(key::escape)) ImGui::CloseCurrentPopup();
+  note_item(state.widgets, "close about");
   ImGui::EndPopup();
 }
 

@@ -39,7 +39,7 @@ bool history_panel(Document& document, StudioState& state, const StudioInputs& i
   ImGui::TextDisabled("click one to go there");
   History& history = state.history;
   std::optional<std::size_t> chosen;
-  ImGui::BeginChild("steps");
+  ImGui::BeginChild("steps", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   for (std::size_t i = 0; i < history.steps().size(); ++i) {
     const bool is_present = i == history.present(), is_undone = i > history.present();
     const std::string label = fmt::format("{}##{}", history.steps()[i].name, i);

@@ -131,7 +131,7 @@ void library_window(StudioState& state, const StudioInputs& inputs, StudioReques
   search_row(state, inputs.library);
   ImGui::Separator();
   const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().ItemSpacing.y;
-  ImGui::BeginChild("cards", {0, -footer});
+  ImGui::BeginChild("cards", {0, -footer}, false, ImGuiWindowFlags_NavFlattened);
   const bool was_renaming = library.renamed.has_value();
   const LibraryEntry* chosen = cards(state, inputs.library, requests);
   ImGui::EndChild();

@@ -1,6 +1,9 @@
 #include "ui/menu_bar.h"
 
 #include <fmt/core.h>
+#include <imgui_internal.h>
+
+#include <utility>
 
 #include "ui/style.h"
 
@@ -45,6 +48,12 @@ bool menu(const ActionContext& context, Section section) {
   return changed;
 }
 
+/// As a click on it would, with the focus shown in it.
+void open_first_menu() {
+  ImGui::OpenPopup(std::string(title_of(Section(0))).c_str());
+  ImGui::GetCurrentContext()->NavDisableHighlight = false;
+}
+
 /// The preset's name at the right end, with a dot before it while it has changes that are not saved. A click
 /// edits it.
 void preset_name(const Document& document, StudioState& state, const StudioInputs& inputs) {
@@ -73,6 +82,7 @@ void preset_name(const Document& document, StudioState& state, const StudioInput
 
 bool menu_bar(const ActionContext& context) {
   if (!ImGui::BeginMainMenuBar()) return false;
+  if (std::exchange(context.state.navigation.asked_menu, false)) open_first_menu();
   bool changed = false;
   for (int i = 0; i < menu_count; ++i) changed |= menu(context, Section(i));
   preset_name(context.document, context.state, context.inputs);

@@ -52,7 +52,10 @@ std::string number_why_not(double value, const FieldRule& rule) {
   return {};
 }
 
-/// Collects the characters of the frames in which the field is not active yet, and then hands them to it.
+bool escape_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
+
+}  // namespace
+
 void keep_typed_ahead(TypedAhead& ahead, ImGuiID id) {
   if (ahead.field != id) return;
   ImVector<ImWchar>& queue = ImGui::GetIO().InputQueueCharacters;
@@ -63,10 +66,6 @@ void keep_typed_ahead(TypedAhead& ahead, ImGuiID id) {
     for (const ImWchar c : ahead.characters) queue.push_back(c);
   if (is_ready || --ahead.frames < 0) ahead = {};
 }
-
-bool escape_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
-
-}  // namespace
 
 void open_next_field(WidgetState& state, const char* name) {
   ImGui::SetKeyboardFocusHere();

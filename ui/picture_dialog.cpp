@@ -82,7 +82,7 @@ void picture_dialog(Document& document, StudioState& state, const StudioInputs& 
   turn_row(state, dialog);
   ImGui::TextDisabled(".png or .exr. The file keeps the preset: dropped on the window, it opens it.");
   ImGui::Spacing();
-  if (ImGui::Button("File ...", {scaled(104), 0})) {
+  if (default_button("File ...", {scaled(104), 0})) {
     ImGui::CloseCurrentPopup();
     ask_for_file(state, document, FilePurpose::save_picture);
   }

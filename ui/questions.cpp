@@ -60,13 +60,13 @@ void unsaved_question(Document& document, StudioState& state, const StudioInputs
   if (inputs.saved) change_list(*inputs.saved, document.preset, 8);
   ImGui::Spacing();
   const ImVec2 size{scaled(104), 0};
-  const auto button = [&](const char* text) {
-    const bool pressed = ImGui::Button(text, size);
+  const auto button = [&](const char* text, bool is_default = false) {
+    const bool pressed = is_default ? default_button(text, size) : ImGui::Button(text, size);
     note_item(state.widgets, text);
     if (pressed) ImGui::CloseCurrentPopup();
     return pressed;
   };
-  if (button("Save##quit")) {
+  if (button("Save##quit", true)) {
     if (document.preset_path.empty()) {
       state.leaving.once_saved = true;
       ask_for_file(state, document, FilePurpose::save_preset);

@@ -33,6 +33,7 @@ void opening(const Document& document, StudioState& state) {
   const ImVec2 size{scaled(126), scaled(32)};
   const auto button = [&](const char* text, FilePurpose purpose) {
     if (ImGui::Button(text, size)) ask_for_file(state, document, purpose);
+    if (purpose == FilePurpose::open_volume) take_focus(state.navigation, Area::views);
     note_item(state.widgets, fmt::format("start/{}", text));
     tip(key_text_of(text).c_str());
   };
@@ -84,7 +85,8 @@ void start_page(const Document& document, StudioState& state, const StudioInputs
                 StudioRequests& requests) {
   requests.shows_start_page = true;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(20), scaled(16)});
-  ImGui::BeginChild("start page", {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::BeginChild("start page", {0, 0}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
   ImGui::PopStyleVar();
   opening(document, state);
   section("Examples");

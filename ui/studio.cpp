@@ -8,6 +8,7 @@
 
 #include "ui/accuracy_panel.h"
 #include "ui/actions.h"
+#include "ui/command_palette.h"
 #include "ui/export_dialog.h"
 #include "ui/help_window.h"
 #include "ui/history_panel.h"
@@ -42,7 +43,8 @@ constexpr ImGuiWindowFlags fixed_window =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_NoScrollWithMouse;
-constexpr ImGuiWindowFlags fixed_child = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+constexpr ImGuiWindowFlags fixed_child =
+    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NavFlattened;
 
 /// The gap between two parts, which drags `share` of `length` pixels with it; `sign` is -1 where the part
 /// that has the share lies behind the gap.
@@ -82,6 +84,7 @@ bool tab(StudioState& state, const char* name, Panel&& panel) {
   const bool open = ImGui::BeginTabItem(name, nullptr, comes_up ? ImGuiTabItemFlags_SetSelected : 0);
   note_item(state.widgets, fmt::format("tab/{}", name));
   if (!open) return false;
+  take_focus(state.navigation, Area::tabs);
   const bool changed = panel();
   ImGui::EndTabItem();
   return changed;
@@ -110,7 +113,7 @@ bool side(Document& document, StudioState& state, const StudioInputs& inputs, St
   bool changed = transfer_function_editor(document, state, inputs);
   ImGui::EndChild();
   splitter("##editor height", false, 1, share, height);
-  ImGui::BeginChild("tabs");
+  ImGui::BeginChild("tabs", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   changed |= tabs(document, state, inputs, requests);
   ImGui::EndChild();
   return changed;
@@ -179,6 +182,9 @@ bool is_editing(const StudioState& state) {
 /// Esc closes the menu that was opened last; windows that ask something deal with it themselves.
 void close_menu_by_key(StudioState& state) {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.OpenPopupStack.Size < state.navigation.popups)
+    state.escape_taken = true;  // Dear ImGui closed it
+  if (state.escape_taken) return;
   if (context.OpenPopupStack.empty() || ImGui::IsAnyItemActive()) return;
   if (!ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
   const ImGuiWindow* window = context.OpenPopupStack.back().Window;
@@ -203,6 +209,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
     requests.quit = inputs.close_requested && !inputs.unsaved_changes;
     return requests;
   }
+  begin_navigation(state.navigation);
   state.editor.hovered_peak.reset();
   state.widgets.number_taken = false;
   state.widgets.take_typed = inputs.close_requested || takes_typed_text();
@@ -213,6 +220,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   close_menu_by_key(state);
   requests.document_changed |= studio_window(document, state, inputs, requests);
   requests.lit_points = lit_points(state, inputs);
+  requests.document_changed |= command_palette(context);
   export_dialog(document, state, inputs, requests);
   import_dialog(state, inputs, requests);
   opening_dialog(state, inputs, requests);
@@ -223,6 +231,8 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   file_question(state, requests);
   unsaved_question(document, state, inputs, requests);
   help_window(state);
+  about_window(state, inputs.version);
+  end_navigation(state.navigation);
   requests.show_visibility = is_visibility(state.editor.value_curve);
   if (!ImGui::IsAnyItemActive()) state.widgets.typed.clear();
   if (state.widgets.refused && !state.widgets.refused->is_shown) state.widgets.refused.reset();

@@ -120,6 +120,7 @@ struct StudioInputs {
   const AccuracyResults* accuracy = nullptr;         ///< null while nothing was ever measured
   const ChoiceResults* choice = nullptr;             ///< null while nothing was ever chosen
   std::string loading;                               ///< the volume that is being read; empty while none is
+  std::string version;                               ///< of the program
   std::string message;                               ///< the last news or error, one line
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
@@ -212,6 +213,7 @@ struct StudioRequests {
   std::optional<TargetError> choose;   ///< a setting that keeps this error
   bool stop_choosing = false;
   std::optional<RecoveryAnswer> recovery;  ///< of the one that is offered; `later` of all
+  std::optional<std::string> open_manual;  ///< a page of it, without ".md"; empty: where it begins
   bool quit = false;                       ///< the person was asked about unsaved changes
   bool reload_shaders = false;
 };

@@ -13,6 +13,7 @@
 #include "ui/editor_state.h"
 #include "ui/file_dialog.h"
 #include "ui/history.h"
+#include "ui/navigation.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -129,6 +130,15 @@ struct ImportDialog {
   bool fit = false;  ///< over the range of the preset's points
 };
 
+/// The command palette.
+struct PaletteState {
+  bool asked = false;  ///< to be opened in the next frame
+  std::string typed{};
+  int selected = 0;                   ///< of the rows that fit
+  bool comes_in_sight = false;        ///< the selected row does
+  std::vector<std::string> chosen{};  ///< names of actions, the newest first
+};
+
 /// Of the panels below the editor.
 inline constexpr const char* tab_names[] = {"Peaks",  "Points", "Rendering", "Accuracy",
                                             "Slices", "Ray",    "History"};
@@ -158,7 +168,9 @@ struct StudioState {
   glm::dvec3 slice_cursor{0.5};  ///< SlicesWanted::cursor
   PresetDetails details;
   LibraryState library;
-  bool show_help = false;
+  PaletteState palette;
+  NavigationState navigation;
+  bool show_help = false, show_about = false;
   std::string_view asked_tab;  ///< of tab_names: it comes up in the next frame
   bool escape_taken = false;   ///< in this frame: what Esc was for is done
   bool quit_asked = false;     ///< the person wants to leave

@@ -64,6 +64,7 @@ void set_colors(ImVec4* colors) {
   colors[ImGuiCol_TableHeaderBg] = color(IM_COL32(34, 37, 44, 255));
   colors[ImGuiCol_TableBorderLight] = color(IM_COL32(44, 48, 56, 255));
   colors[ImGuiCol_TableBorderStrong] = color(palette::frame);
+  colors[ImGuiCol_NavHighlight] = accent;
   colors[ImGuiCol_TextSelectedBg] = with_alpha(accent, 0.40f);
   colors[ImGuiCol_ScrollbarBg] = ImVec4(0, 0, 0, 0);
   colors[ImGuiCol_ScrollbarGrab] = raised;

@@ -146,6 +146,10 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
   const ImVec2 pixel = ImGui::GetIO().DisplayFramebufferScale;
   state.picture_dialog.editor_as_shown = {int(size.x * std::max(pixel.x, 1.0F)),
                                           int(size.y * std::max(pixel.y, 1.0F))};
+
+  take_focus(state.navigation, Area::editor);
+  const ImGuiID id = ImGui::GetID("##plot");
+  const bool has_arrows = takes_arrows(state.navigation) || !is_navigating();
   state.widgets.items["plot"] = {plot.low, plot.high};
   for (std::size_t i = 0; i < tf.points.size(); ++i) {
     const ImVec2 at = plot.place(tf.points[i]);
@@ -167,8 +171,9 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
   }
   const bool keys_are_free = !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() &&
                              !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-  if (keys_are_free) changed |= handle_plot_keys(tf, editor, plot);
+  if (keys_are_free && has_arrows) changed |= handle_plot_keys(tf, editor, plot);
   draw_plot(tf, editor, plot, inputs);
+  show_focus(id, plot.low, plot.high);
   changed |= plot_menus(document, editor, state.widgets, inputs, visible);
   changed |= unit_fields(tf, state.widgets);
   ImGui::SameLine();

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "render/scene/camera.h"
 #include "render/scene/error_colors.h"
 #include "ui/camera_control.h"
 #include "ui/comparison_view.h"
+#include "ui/keys.h"
 #include "ui/picking.h"
 #include "ui/style.h"
 #include "ui/view_caption.h"
@@ -51,6 +53,25 @@ bool move_camera(Document& document, StudioState& state, const Grid& grid, const
     const double size = glm::length(grid.box_size());
     camera = dolly(camera, std::pow(dolly_per_notch, double(io.MouseWheel)), size * 1e-4, size * 1e3);
     state.camera_moved = ImGui::GetTime();
+  }
+  if (camera == before) return false;
+  document.preset.camera = camera;
+  return true;
+}
+
+/// With the focus on a view, arrows turn, with Shift they move the picture, and the page keys come nearer.
+bool move_camera_by_keys(Document& document, const Grid& grid, const Camera& before) {
+  constexpr double turn = std::numbers::pi / 36, shift = 0.05;
+  const auto pressed = [](int code) { return int(ImGui::IsKeyPressed(code)); };
+  const double across = pressed(key::right) - pressed(key::left), up = pressed(key::up) - pressed(key::down);
+  const double notches = pressed(key::page_up) - pressed(key::page_down);
+  Camera camera = before;
+  if (across != 0 || up != 0)
+    camera = ImGui::GetIO().KeyShift ? pan(camera, glm::dvec2(across, up) * shift)
+                                     : orbit(camera, across * turn, up * turn);
+  if (notches != 0) {
+    const double size = glm::length(grid.box_size());
+    camera = dolly(camera, std::pow(dolly_per_notch, notches), size * 1e-4, size * 1e3);
   }
   if (camera == before) return false;
   document.preset.camera = camera;
@@ -114,7 +135,9 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
   const std::size_t i = std::size_t(index);
   ImGui::PushID(index);
   ImGui::SetCursorScreenPos(corner);
-  ImGui::BeginChild("view", size, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::BeginChild(
+      "view", size, false,
+      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NavFlattened);
   view_caption(index, state, inputs, document.preset);
   bool changed = false;
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
@@ -127,6 +150,9 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     note_item(state.widgets, fmt::format("view{}", index));
+    take_focus(state.navigation, Area::views);
+    const ImGuiID id = ImGui::GetID("##picture");
+    const bool has_arrows = takes_arrows(state.navigation);
     Camera camera;
     if (inputs.volume) camera = camera_of(document.preset, inputs.volume->grid, double(image.x / image.y));
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
@@ -135,8 +161,10 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
              move_divider(state.views, ImGui::IsItemHovered(), ImGui::IsItemActive(), low, image))
       changed = false;
     else if (inputs.volume)
-      changed = move_camera(document, state, inputs.volume->grid, camera, image.y);
+      changed = move_camera(document, state, inputs.volume->grid, camera, image.y) ||
+                (has_arrows && move_camera_by_keys(document, inputs.volume->grid, camera));
     picture(index, state, inputs, document.preset.camera.value_or(camera), low, image);
+    show_focus(id, low, {low.x + image.x, low.y + image.y});
     const bool is_hovered = ImGui::IsItemHovered();
     changed |= pick_in_view(document, state, inputs, requests, index, low, image, requests.view_pixels[i]);
     if (is_hovered) {

@@ -29,6 +29,49 @@ std::vector<Action> mode_entries(const ActionContext&) {
   return entries;
 }
 
+bool go_to_next_area(const ActionContext& c) {
+  NavigationState& navigation = c.state.navigation;
+  navigation.asked = navigation.area == Area::views    ? Area::editor
+                     : navigation.area == Area::editor ? Area::tabs
+                                                       : Area::views;
+  return false;
+}
+
+void add_help_actions(std::vector<Action>& table) {
+  const auto add = [&](Action action) {
+    action.section = Section::help;
+    table.push_back(std::move(action));
+  };
+  add({.name = "Commands...",
+       .key = ctrl_shift_and('P'),
+       .takes_typed = true,
+       .tip = "Find anything by its name",
+       .run = [](const ActionContext& c) {
+         c.state.palette.asked = true;
+         return false;
+       }});
+  add({.name = "Keys and mouse", .key = {key::f1}, .run = [](const ActionContext& c) {
+         c.state.show_help = true;
+         return false;
+       }});
+  add({.name = "Menus", .key = {key::f10}, .tip = "Also: Alt alone", .run = [](const ActionContext& c) {
+         c.state.navigation.asked_menu = true;
+         return false;
+       }});
+  add({.name = "Next part of the window",
+       .key = {key::f6},
+       .tip = "The views, the transfer function, the tabs",
+       .run = go_to_next_area});
+  add({.name = "Manual", .separated = true, .run = [](const ActionContext& c) {
+         c.requests.open_manual = "";
+         return false;
+       }});
+  add({.name = "About", .run = [](const ActionContext& c) {
+         c.state.show_about = true;
+         return false;
+       }});
+}
+
 }  // namespace
 
 void add_window_actions(std::vector<Action>& table) {
@@ -43,13 +86,7 @@ void add_window_actions(std::vector<Action>& table) {
                    .section = Section::panels,
                    .entries = mode_entries,
                    .lead = "Mode in the file: "});
-  table.push_back({.name = "Keys and mouse",
-                   .section = Section::help,
-                   .key = {key::f1},
-                   .run = [](const ActionContext& c) {
-                     c.state.show_help = true;
-                     return false;
-                   }});
+  add_help_actions(table);
 }
 
 }  // namespace crest

@@ -54,6 +54,7 @@ Studio::Studio() {
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   io.DisplaySize = {1720, 1160};
   io.DeltaTime = frame_seconds;
   // As the GLFW backend numbers them
