@@ -262,6 +262,7 @@ bool view_menu(Document& document, StudioState& state, const StudioInputs& input
     note_item(state.widgets, counts[i - 1]);
   }
   ImGui::Separator();
+  if (item(state, "Settings...")) state.settings_asked = true;
   if (item(state, "Reload shaders", "F5")) requests.reload_shaders = true;
   ImGui::EndMenu();
   return changed;
@@ -280,7 +281,7 @@ void preset_name(const Document& document, StudioState& state, const StudioInput
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (inputs.unsaved_changes)
     ImGui::GetWindowDrawList()->AddCircleFilled({at.x, at.y + ImGui::GetFrameHeight() / 2}, scaled(4),
-                                                palette::accent);
+                                                palette().accent);
   ImGui::SetCursorPosX(x + scaled(10));
   ImGui::TextDisabled("%s", text.c_str());
   note_item(state.widgets, "preset title");
@@ -347,7 +348,8 @@ bool shortcuts(Document& document, StudioState& state, const StudioInputs&, Stud
     return false;
   }
   if (io.WantTextInput) return false;
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::IsAnyItemActive())
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::IsAnyItemActive() &&
+      !state.escape_taken)
     go_back(state);
   // Digits that are meant for a field that is not open yet are none for the views
   for (int i = 0; i < view_count && state.widgets.ahead.field == 0; ++i)

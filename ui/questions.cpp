@@ -1,5 +1,7 @@
 #include "ui/questions.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "ui/history_panel.h"
@@ -165,18 +167,21 @@ void help_window(StudioState& state) {
   center_next_window();
   bool open = true;
   if (!ImGui::BeginPopupModal(title, &open, ImGuiWindowFlags_AlwaysAutoResize)) return;
+  const float row = ImGui::GetTextLineHeightWithSpacing(), margins = scaled(120);
+  const float rows = row * (float(std::size(help_lines)) + 6);
+  ImGui::BeginChild("lines", {std::min(scaled(800), ImGui::GetIO().DisplaySize.x - scaled(60)),
+                              std::min(rows, ImGui::GetIO().DisplaySize.y - margins)});
   for (const HelpLine& line : help_lines) {
     if (*line.keys == '\0') {
       ImGui::Spacing();
-      ImGui::PushStyleColor(ImGuiCol_Text, palette::accent);
-      ImGui::TextUnformatted(line.meaning);
-      ImGui::PopStyleColor();
+      heading(line.meaning);
       continue;
     }
     ImGui::TextUnformatted(line.keys);
     ImGui::SameLine(scaled(190));
     ImGui::TextDisabled("%s", line.meaning);
   }
+  ImGui::EndChild();
   ImGui::Spacing();
   if (ImGui::Button("Close", {scaled(104), 0}) ||
       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/accuracy_panel.h"
+#include "ui/error_banner.h"
 #include "ui/export_dialog.h"
 #include "ui/history_panel.h"
 #include "ui/import_dialog.h"
@@ -21,6 +22,8 @@
 #include "ui/ray_panel.h"
 #include "ui/recovery_banner.h"
 #include "ui/rendering_panel.h"
+#include "ui/settings_window.h"
+#include "ui/shown_values.h"
 #include "ui/slices_panel.h"
 #include "ui/start_page.h"
 #include "ui/status_bar.h"
@@ -52,13 +55,19 @@ void splitter(const char* name, bool upright, float sign, float& share, float le
   if (near) ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
   const ImVec2 delta = ImGui::GetIO().MouseDelta;
   if (held) share += sign * (upright ? delta.x : delta.y) / length;
-  const ImU32 color = near ? palette::accent : palette::frame;
+  const ImU32 color = near ? palette().accent : palette().frame;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = std::floor(gap / 2);
   if (upright)
     list.AddRectFilled({at.x + middle, at.y}, {at.x + middle + 1, at.y + size.y}, color);
   else
     list.AddRectFilled({at.x, at.y + middle}, {at.x + size.x, at.y + middle + 1}, color);
+}
+
+template <class Edit>
+bool in_shown_values(Document& document, const StudioState& state, const StudioInputs& inputs, Edit&& edit) {
+  return edit_shown(document.preset.transfer_function, state.settings,
+                    inputs.volume ? &inputs.volume->statistics.range : nullptr, edit);
 }
 
 bool peaks_and_table(Document& document, StudioState& state, const StudioInputs& inputs) {
@@ -85,9 +94,14 @@ bool tab(WidgetState& widgets, const char* name, Panel&& panel, bool comes_up = 
 bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   if (!ImGui::BeginTabBar("panels")) return false;
   WidgetState& widgets = state.widgets;
-  bool changed = tab(widgets, "Peaks", [&] { return peaks_and_table(document, state, inputs); });
-  changed |= tab(widgets, "Points",
-                 [&] { return points_panel(document.preset.transfer_function, state.editor, widgets); });
+  bool changed = tab(widgets, "Peaks", [&] {
+    return in_shown_values(document, state, inputs, [&] { return peaks_and_table(document, state, inputs); });
+  });
+  changed |= tab(widgets, "Points", [&] {
+    return in_shown_values(document, state, inputs, [&] {
+      return points_panel(document.preset.transfer_function, state.editor, widgets);
+    });
+  });
   changed |= tab(widgets, "Rendering", [&] { return rendering_panel(document, state, inputs, requests); });
   changed |= tab(widgets, "Accuracy", [&] { return accuracy_panel(document, state, inputs, requests); });
   changed |= tab(widgets, "Slices", [&] { return slices_panel(document, state, inputs, requests); });
@@ -104,7 +118,8 @@ bool side(Document& document, StudioState& state, const StudioInputs& inputs, St
   float& share = state.layout.editor_share;
   share = std::clamp(share, 0.25F, 0.80F);
   ImGui::BeginChild("editor", {0, std::floor(height * share)}, false, fixed_child);
-  bool changed = transfer_function_editor(document, state, inputs);
+  bool changed = in_shown_values(document, state, inputs,
+                                 [&] { return transfer_function_editor(document, state, inputs); });
   ImGui::EndChild();
   splitter("##editor height", false, 1, share, height);
   ImGui::BeginChild("tabs");
@@ -130,6 +145,7 @@ bool main_area(Document& document, StudioState& state, const StudioInputs& input
   else
     changed |= views_panel(document, state, inputs, requests);
   ImGui::EndChild();
+  error_banner(state, inputs, requests, ImGui::GetItemRectMin(), ImGui::GetItemRectSize().x);
   ImGui::SameLine(0, scaled(4));
   splitter("##side width", true, -1, share, width);
   ImGui::SameLine(0, scaled(4));
@@ -202,6 +218,8 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   }
   state.editor.hovered_peak.reset();
   state.widgets.number_taken = false;
+  close_error_by_key(state, inputs, requests);
+  follow_shown_values(state, document.preset.transfer_function, inputs);
   state.widgets.take_typed = inputs.close_requested || takes_typed_text();
   if (state.widgets.refused) state.widgets.refused->is_shown = false;
   requests.document_changed |= shortcuts(document, state, inputs, requests);
@@ -218,6 +236,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   file_question(state, requests);
   unsaved_question(document, state, inputs, requests);
   help_window(state);
+  settings_window(state);
   requests.show_visibility = is_visibility(state.editor.value_curve);
   if (!ImGui::IsAnyItemActive()) state.widgets.typed.clear();
   if (state.widgets.refused && !state.widgets.refused->is_shown) state.widgets.refused.reset();

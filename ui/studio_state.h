@@ -13,6 +13,7 @@
 #include "ui/editor_state.h"
 #include "ui/file_dialog.h"
 #include "ui/history.h"
+#include "ui/settings.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -144,13 +145,15 @@ struct StudioState {
   glm::dvec3 slice_cursor{0.5};  ///< SlicesWanted::cursor
   PresetDetails details;
   LibraryState library;
+  StudioSettings settings;  ///< the program keeps them
+  bool settings_asked = false;
   bool show_help = false;
   bool escape_taken = false;  ///< in this frame: what Esc was for is done
   bool quit_asked = false;    ///< the person wants to leave
   Leaving leaving;            ///< what the question about unsaved changes is about
   std::size_t shown_step{};   ///< of the history, to which its list was last scrolled
   double camera_moved = -1;   ///< when the wheel last moved the camera, in Dear ImGui's seconds
-  std::string under_cursor;   ///< what the status bar tells of the place under the mouse
+  std::string under_cursor;   ///< what is told at the mouse
 };
 
 }  // namespace crest
