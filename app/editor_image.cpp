@@ -18,9 +18,10 @@ constexpr float least_scale = 0.5F, largest_scale = 12;
 /// A Dear ImGui of its own, beside the window's.
 class OwnImGui {
  public:
-  OwnImGui(glm::ivec2 size, float scale) : before_(ImGui::GetCurrentContext()), own_(ImGui::CreateContext()) {
+  OwnImGui(glm::ivec2 size, float scale, Theme theme)
+      : before_(ImGui::GetCurrentContext()), own_(ImGui::CreateContext()) {
     ImGui::SetCurrentContext(own_);
-    apply_style(scale);
+    apply_style(scale, theme);
     ImGui::GetIO().DisplaySize = {float(size.x), float(size.y)};
     ImGui_ImplOpenGL3_Init("#version 450 core");
     ImGui_ImplOpenGL3_NewFrame();
@@ -36,7 +37,7 @@ class OwnImGui {
 
   void draw_into(const gl::RenderTarget& target) {
     ImGui::Render();
-    const ImVec4 background = ImGui::ColorConvertU32ToFloat4(palette::window);
+    const ImVec4 background = ImGui::ColorConvertU32ToFloat4(palette().window);
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
     glClearColor(background.x, background.y, background.z, 1);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -51,9 +52,9 @@ class OwnImGui {
 }  // namespace
 
 Image editor_image(const Document& document, const EditorState& editor, const StudioInputs& inputs,
-                   glm::ivec2 size) {
+                   glm::ivec2 size, Theme theme) {
   const gl::RenderTarget target(size, false);
-  OwnImGui gui(size, std::clamp(float(size.y) / usual_height, least_scale, largest_scale));
+  OwnImGui gui(size, std::clamp(float(size.y) / usual_height, least_scale, largest_scale), theme);
   draw_editor_picture(document, editor, inputs, {float(size.x), float(size.y)});
   gui.draw_into(target);
   Image image = target.read_color();

@@ -37,6 +37,25 @@ void Studio::say(std::string text, bool is_error) {
   message_is_error_ = is_error;
 }
 
+void Studio::use_settings(const ReadSettings& read) {
+  ui_->settings = kept_settings_ = read.settings;
+  if (!read.problem.empty()) say(read.problem, true);
+}
+
+const StudioSettings& Studio::settings() const { return ui_->settings; }
+
+void Studio::keep_settings() {
+  if (ui_->settings == kept_settings_) return;
+  kept_settings_ = ui_->settings;
+  const std::filesystem::path file = settings_file();
+  if (file.empty()) return;
+  try {
+    write_settings(file, kept_settings_);
+  } catch (const std::exception& error) {
+    say(fmt::format("The settings are not kept: {}", error.what()), true);
+  }
+}
+
 // The message goes when what it was about does.
 void Studio::tell_view_error() {
   const std::string error = views_.error();
@@ -66,11 +85,11 @@ void Studio::handle(const StudioRequests& requests) {
   // A person who saves before something else must not lose what could not be saved
   const bool goes_on = !requests.save_preset || save_preset_to(*requests.save_preset);
   quit_ = requests.quit && goes_on;
+  if (requests.close_message) say("");
   if (!requests.problem.empty()) say(requests.problem, true);
   if (requests.new_preset && goes_on) {
     fit_ = nullptr;
-    document_.preset = Preset{};
-    document_.preset.transfer_function = default_transfer_function();
+    document_.preset = new_preset();
     document_.preset_path.clear();
     document_.library_name.clear();
     mark_saved();
@@ -85,6 +104,7 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.open_volume) start_loading(*requests.open_volume);
   if (requests.reload_shaders) {
     views_.renderer().resources().programs.reload();
+    shader_error_.clear();  // the same one is news again
     views_.invalidate();
   }
   if (requests.recovery) take_recovery(*requests.recovery);
@@ -232,8 +252,11 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   update_matters(requests, interactive);
   want_thumbnails(requests);
   update_opening(requests);
-  if (const std::string& error = views_.renderer().resources().programs.error(); !error.empty())
-    say(error, true);
+  if (const std::string& error = views_.renderer().resources().programs.error(); error != shader_error_) {
+    shader_error_ = error;
+    if (!error.empty()) say(error, true);
+  }
+  keep_settings();
 }
 
 }  // namespace crest

@@ -18,6 +18,7 @@
 #include "app/ray_inspector.h"
 #include "app/recent_files.h"
 #include "app/slice_pictures.h"
+#include "app/studio_settings.h"
 #include "app/thumbnail_maker.h"
 #include "app/thumbnail_store.h"
 #include "app/view_difference.h"
@@ -71,6 +72,9 @@ class Studio {
   std::string title() const;
   const Document& document() const { return document_; }
   const StudioState& ui_state() const { return *ui_; }
+  /// What a person chose in earlier runs; what is chosen from now on is kept.
+  void use_settings(const ReadSettings& read);
+  const StudioSettings& settings() const;
   const ViewRenderer& views() const { return views_; }
   void set_performance_text(std::string text) { performance_ = std::move(text); }
 
@@ -110,6 +114,7 @@ class Studio {
   void take_thumbnails();
   void want_thumbnails(const StudioRequests& requests);
   void say(std::string text, bool is_error = false);
+  void keep_settings();
   void tell_view_error();
   /// The preset is what its file has, or what it was opened as.
   void mark_saved();
@@ -178,7 +183,8 @@ class Studio {
   Autosave autosave_;
   std::optional<std::string> dropped_preset_;
   std::string message_, performance_;
-  std::string view_error_;  ///< as last told
+  std::string view_error_, shader_error_;  ///< as last told
+  StudioSettings kept_settings_;           ///< as they stand in their file
   bool message_is_error_ = false, quit_ = false;
 };
 

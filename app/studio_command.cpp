@@ -13,23 +13,39 @@
 #include "app/scene_options.h"
 #include "app/sources.h"
 #include "app/studio.h"
+#include "app/studio_settings.h"
 #include "app/unknown_word.h"
 #include "app/window.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
+#include "presets/number_text.h"
 #include "presets/preset_file.h"
 #include "presets/printable.h"
 #include "render/files/load.h"
-#include "ui/style.h"
 
 namespace crest {
 namespace {
 
 struct StudioOptions {
   SceneOptions scene;
-  std::string shader_folder, frame_log, layout_file;
+  std::string shader_folder, frame_log, layout_file, scale, theme;
   bool watch = false;
 };
+
+/// What the window is drawn with.
+struct Look {
+  float scale;
+  Theme theme;
+  bool operator==(const Look&) const = default;
+};
+
+/// What was kept, with what the command line says for this run.
+ReadSettings settings_for(const StudioOptions& options) {
+  ReadSettings read = read_settings(settings_file());
+  if (!options.scale.empty()) read.settings.scale = read_number(options.scale).number;
+  if (!options.theme.empty()) read.settings.theme = *theme_named(options.theme);
+  return read;
+}
 
 constexpr double interactive_ms = 12;  ///< for the views, in a frame in which the person does something
 constexpr double resting_ms = 80;
@@ -41,6 +57,9 @@ Document initial_document(const StudioOptions& options) {
   document.volume_source = options.scene.volume;
   document.preset = options.scene.read_preset();
   const std::string& preset = options.scene.preset;
+  const bool says_shading = std::ranges::any_of(
+      options.scene.sets, [](const std::string& set) { return set.starts_with("rendering.shading"); });
+  if (preset.empty() && !says_shading) document.preset.rendering.shading = new_preset().rendering.shading;
   if (is_picture_file(preset) || options.scene.is_preset_from_stdin())
     return document;  // which is not what is saved into
   if (std::filesystem::exists(preset))
@@ -55,6 +74,7 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
   FrameLog log;
   LayoutFile layout(options.layout_file);
   FileWatch preset_watch;
+  std::optional<Look> look;
   Clock::time_point last_input = Clock::now();
   int settling = settling_frames;
   while (!studio.wants_to_quit()) {
@@ -78,6 +98,12 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
     const bool interactive =
         window.is_mouse_down() || begin - last_input < std::chrono::duration<double>(rest_after_s);
 
+    const StudioSettings& settings = studio.settings();
+    const Look wanted{settings.scale ? float(*settings.scale) : window.content_scale(), settings.theme};
+    if (look != wanted) {
+      window.set_style(wanted.scale, wanted.theme);
+      look = wanted;
+    }
     window.begin_frame();
     for (const auto& dropped : window.take_dropped()) studio.open(dropped);
     studio.frame(window.take_close_request(), interactive ? interactive_ms : resting_ms, interactive);
@@ -98,14 +124,15 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
 /// thread still reads a volume, the program ends without taking apart what the thread uses.
 void run_window(const StudioOptions& options) {
   Document document = initial_document(options);
-  Window window("Crest", 1720, 1160);
-  apply_style(window.content_scale());
+  const ReadSettings settings = settings_for(options);
+  Window window("Crest", 1720, 1160, settings.settings.scale);
   Studio studio(
       std::move(document),
       [scene = options.scene](Preset preset, const Volume& volume, double aspect) {
         return scene.for_volume(std::move(preset), volume, aspect);
       },
       options.shader_folder);
+  studio.use_settings(settings);
   try {
     run_frames(options, window, studio);
   } catch (const std::exception& error) {
@@ -155,6 +182,13 @@ void add_studio_options(Options to, StudioOptions& options) {
               "Take over the preset whenever its file changes, while nothing is unsaved here");
   to.add("--shaders", options.shader_folder, "Read the shaders from this folder; F5 reads them again")
       .existing_folder();
+  to.add("--scale", options.scale, "Size of texts and controls in this run's window, 0.75 to 3")
+      .type_name("FACTOR")
+      .check([](const std::string& text) {
+        const TypedNumber typed = read_number(text);
+        return typed.number ? why_outside(*typed.number, scale_rule) : typed.wrong;
+      });
+  to.add("--theme", options.theme, "Colours of this run's window").one_of({"dark", "light"});
   to.add("--log-frames", options.frame_log, "On quitting, write frame times and edit-to-view times here")
       .type_name("FILE");
   to.add("--log-layout", options.layout_file,

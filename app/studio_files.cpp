@@ -15,6 +15,7 @@
 #include "render/files/file_request.h"
 #include "render/files/image.h"
 #include "render/scene/export_input.h"
+#include "ui/shown_values.h"
 #include "ui/studio_state.h"
 
 // What the studio does with files: volumes, presets, what an earlier run left.
@@ -323,7 +324,11 @@ void Studio::save_ray_to(const std::filesystem::path& path) {
 /// At once: it is some triangles.
 void Studio::save_editor_picture(const PictureAsk& ask) {
   try {
-    const Image image = editor_image(document_, ui_->editor, inputs(false), ask.size);
+    Document shown = document_;
+    TransferFunction& tf = shown.preset.transfer_function;
+    if (const auto& volume = loaded_.volume)
+      tf = shown_values(tf, shown_domain(tf, ui_->settings, true), volume->statistics.range);
+    const Image image = editor_image(shown, ui_->editor, inputs(false), ask.size, ui_->settings.theme);
     write_image(ask.path, image, {}, write_preset(document_.preset));
     say(fmt::format("Saved {}", ask.path.string()));
   } catch (const std::exception& error) {

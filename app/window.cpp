@@ -15,16 +15,23 @@
 
 #include "app/keyboard_layout.h"
 #include "presets/error.h"
+#include "ui/style.h"
 
 namespace crest {
 namespace {
 
-GLFWwindow* create_window(const std::string& title, int width, int height) {
+GLFWwindow* create_window(const std::string& title, int width, int height, std::optional<double> scale) {
   if (!glfwInit())
     throw Error("no display to open a window on (set DISPLAY, or use crest compare for pictures)");
   int x = 0, y = 0, available_width = width, available_height = height;
-  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
+  float monitor_scale = 1;
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
     glfwGetMonitorWorkarea(monitor, &x, &y, &available_width, &available_height);
+    glfwGetMonitorContentScale(monitor, &monitor_scale, nullptr);
+  }
+  const double times = scale.value_or(double(monitor_scale));
+  width = int(times * width);
+  height = int(times * height);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -122,8 +129,8 @@ void tell_keys(GLFWwindow* window, std::deque<KeyEvent>& keys) {
 
 }  // namespace
 
-Window::Window(const std::string& title, int width, int height)
-    : window_(create_window(title, width, height)), title_(title) {
+Window::Window(const std::string& title, int width, int height, std::optional<double> scale)
+    : window_(create_window(title, width, height, scale)), title_(title) {
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
   note_all_input(window_, input_);
@@ -148,6 +155,14 @@ void Window::poll_events(bool wait, double seconds) {
     glfwWaitEventsTimeout(seconds);
   else
     glfwPollEvents();
+}
+
+void Window::set_style(float scale, Theme theme) {
+  // The first frame makes the texture itself
+  const bool has_texture = ImGui::GetIO().Fonts->TexID != nullptr;
+  if (has_texture) ImGui_ImplOpenGL3_DestroyFontsTexture();
+  apply_style(scale, theme);
+  if (has_texture) ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 void Window::begin_frame() {

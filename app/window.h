@@ -9,6 +9,8 @@
 
 struct GLFWwindow;
 
+#include "ui/palette.h"
+
 namespace crest {
 
 /// A key that went down or up, as GLFW tells it but by what is on its cap; or a character that was typed.
@@ -30,14 +32,17 @@ struct WindowInput {
 /// The studio's window: GLFW with an OpenGL 4.5 core context, and Dear ImGui in it.
 class Window {
  public:
-  /// Throws Error when there is no display, or no such context.
-  Window(const std::string& title, int width, int height);
+  /// At most as large as the screen; `width` and `height` are for `scale` 1, and without a scale for the
+  /// monitor's. Throws Error when there is no display, or no such context.
+  Window(const std::string& title, int width, int height, std::optional<double> scale);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
   /// Handles what came in; with `wait`, sleeps until something does (at most `seconds`).
   void poll_events(bool wait, double seconds);
+  /// The style of what is drawn, from the next frame on.
+  void set_style(float scale, Theme theme);
   void begin_frame();
   void end_frame();
 

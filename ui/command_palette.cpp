@@ -57,7 +57,8 @@ bool show(const ActionContext& context, const PaletteRow& row, bool is_selected,
   note_item(context.state.widgets, "palette/" + row.title);
   if (is_selected && comes_in_sight) ImGui::SetScrollHereY(0.5F);
   if (!row.action.tip.empty()) tip(row.action.tip.c_str());
-  at_the_right(enabled ? key_text_of(row.action) : row.why_not, enabled ? palette::dim : palette::faint);
+  at_the_right(enabled ? key_text_of(row.action) : row.why_not,
+               enabled ? palette().secondary : palette().secondary);
   return clicked;
 }
 

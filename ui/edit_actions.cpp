@@ -3,6 +3,7 @@
 #include "ui/actions.h"
 #include "ui/arrange_points.h"
 #include "ui/clipboard.h"
+#include "ui/edit_shown.h"
 #include "ui/point_tools.h"
 #include "ui/studio_state.h"
 #include "ui/transfer_function_editor.h"
@@ -30,6 +31,14 @@ bool paste(const ActionContext& c) {
 bool select_all(const ActionContext& c) {
   c.state.editor.selection = everything(tf_of(c));
   return false;
+}
+
+/// An action that works on the points as the editor shows them.
+Action on_shown_values(Action action) {
+  action.run = [run = std::move(action.run)](const ActionContext& c) {
+    return in_shown_values(c.document, c.state, c.inputs, [&] { return run(c); });
+  };
+  return action;
 }
 
 void add_history_actions(std::vector<Action>& table) {
@@ -67,7 +76,7 @@ void add_point_actions(std::vector<Action>& table) {
   const auto add = [&](Action action) {
     action.section = Section::edit;
     action.when = KeyWhen::at_rest;
-    table.push_back(std::move(action));
+    table.push_back(on_shown_values(std::move(action)));
   };
   add({.name = "Cut",
        .key = ctrl_and('X'),
@@ -94,7 +103,7 @@ void add_curve_actions(std::vector<Action>& table) {
   const auto add = [&](Action action) {
     action.section = Section::curve;
     action.when = KeyWhen::at_rest;
-    table.push_back(std::move(action));
+    table.push_back(on_shown_values(std::move(action)));
   };
   for (const auto& [shape, letter] : {std::pair{Shape::spike, int('P')},
                                       {Shape::tent, 0},

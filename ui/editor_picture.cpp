@@ -40,10 +40,10 @@ void draw_editor_picture(const Document& document, const EditorState& editor, co
   draw_points(list, plot, tf, unselected.selection, std::nullopt);
   list.PopClipRect();
 
-  list.AddText({plot.low.x, plot.low.y - line - scaled(4)}, palette::text, opacity_title(tf).c_str());
+  list.AddText({plot.low.x, plot.low.y - line - scaled(4)}, palette().text, opacity_title(tf).c_str());
   const std::string values = value_title(tf, inputs.volume);
   list.AddText({plot.high.x - ImGui::CalcTextSize(values.c_str()).x, size.y - line - scaled(5)},
-               palette::text, values.c_str());
+               palette().text, values.c_str());
 }
 
 }  // namespace crest

@@ -138,9 +138,9 @@ void export_dialog(const Document& document, StudioState& state, const StudioInp
   ImGui::Spacing();
   if (exporter.is_table) table_size(state);
   if (!dialog.error.empty())
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error), "%s", dialog.error.c_str());
-  sentences("Lost", dialog.losses, palette::accent);
-  sentences("There", dialog.advice, palette::dim);
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette().error), "%s", dialog.error.c_str());
+  sentences("Lost", dialog.losses, palette().accent);
+  sentences("There", dialog.advice, palette().secondary);
   ImGui::EndChild();
   preview(state, inputs, requests);
   buttons(document, state);

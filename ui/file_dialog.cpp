@@ -229,7 +229,7 @@ std::optional<std::string> contents(FileDialog& dialog, WidgetState& widgets) {
     chosen = take(dialog);
   note_item(widgets, "file name");
   if (!dialog.error.empty())
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error), "%s", dialog.error.c_str());
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette().error), "%s", dialog.error.c_str());
   const auto decided = dialog.to_replace ? replace_question(dialog, widgets) : buttons(dialog, widgets);
   return decided ? decided : chosen;
 }

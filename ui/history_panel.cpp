@@ -43,7 +43,7 @@ bool history_panel(Document& document, StudioState& state, const StudioInputs& i
   for (std::size_t i = 0; i < history.steps().size(); ++i) {
     const bool is_present = i == history.present(), is_undone = i > history.present();
     const std::string label = fmt::format("{}##{}", history.steps()[i].name, i);
-    if (is_undone) ImGui::PushStyleColor(ImGuiCol_Text, palette::faint);
+    if (is_undone) ImGui::PushStyleColor(ImGuiCol_Text, palette().secondary);
     if (ImGui::Selectable(label.c_str(), is_present)) chosen = i;
     if (is_undone) ImGui::PopStyleColor();
     note_item(state.widgets, fmt::format("history/{}", i));

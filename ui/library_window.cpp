@@ -71,7 +71,7 @@ const LibraryEntry* cards(StudioState& state, std::span<const LibraryEntry> entr
     const bool is_opened = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (library.chosen == entry.name) {
       chosen = &entry;
-      ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), palette::accent,
+      ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), palette().accent,
                                           scaled(4), 0, scaled(2));
     }
     if (is_opened) library.open_chosen = true;

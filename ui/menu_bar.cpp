@@ -67,7 +67,7 @@ void preset_name(const Document& document, StudioState& state, const StudioInput
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (inputs.unsaved_changes)
     ImGui::GetWindowDrawList()->AddCircleFilled({at.x, at.y + ImGui::GetFrameHeight() / 2}, scaled(4),
-                                                palette::accent);
+                                                palette().accent);
   ImGui::SetCursorPosX(x + scaled(10));
   ImGui::TextDisabled("%s", text.c_str());
   note_item(state.widgets, "preset title");

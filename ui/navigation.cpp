@@ -115,7 +115,7 @@ void show_focus(ImGuiID item, ImVec2 low, ImVec2 high) {
 
 bool default_button(const char* label, ImVec2 size) {
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, std::max(1.0F, scaled(1)));
-  ImGui::PushStyleColor(ImGuiCol_Border, palette::accent);
+  ImGui::PushStyleColor(ImGuiCol_Border, palette().accent);
   const bool pressed = ImGui::Button(label, size);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();

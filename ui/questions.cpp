@@ -1,5 +1,7 @@
 #include "ui/questions.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "ui/history_panel.h"

@@ -82,7 +82,7 @@ void take(OpeningState& opening, const RawLayout& layout) {
 
 void fit_line(StudioState& state, const RawFit& fit) {
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + scaled(430));
-  ImGui::PushStyleColor(ImGuiCol_Text, fit.fits ? palette::good : palette::warning);
+  ImGui::PushStyleColor(ImGuiCol_Text, fit.fits ? palette().good : palette().warning);
   ImGui::TextUnformatted(fit.text.c_str());
   ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
@@ -121,7 +121,7 @@ void slice(const RawPicture& picture, glm::ivec3 size) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float side = scaled(picture_side);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(low, {low.x + side, low.y + side}, palette::plot);
+  list.AddRectFilled(low, {low.x + side, low.y + side}, palette().plot);
   if (picture.texture != 0) {
     const float scale = side / float(std::max({picture.size.x, picture.size.y, 1}));
     const ImVec2 shown{float(picture.size.x) * scale, float(picture.size.y) * scale};

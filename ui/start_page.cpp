@@ -25,9 +25,9 @@ void section(const char* text) {
 }
 
 void opening(const Document& document, StudioState& state) {
-  ImGui::SetWindowFontScale(1.8F);
+  ImGui::PushFont(font_of(TextSize::title));
   ImGui::TextUnformatted("Crest");
-  ImGui::SetWindowFontScale(1);
+  ImGui::PopFont();
   ImGui::TextDisabled("Open a volume, or drop a file anywhere on this window.");
   ImGui::Spacing();
   const ImVec2 size{scaled(126), scaled(32)};

@@ -9,6 +9,8 @@
 #include "ui/accuracy_panel.h"
 #include "ui/actions.h"
 #include "ui/command_palette.h"
+#include "ui/edit_shown.h"
+#include "ui/error_banner.h"
 #include "ui/export_dialog.h"
 #include "ui/help_window.h"
 #include "ui/history_panel.h"
@@ -25,6 +27,8 @@
 #include "ui/ray_panel.h"
 #include "ui/recovery_banner.h"
 #include "ui/rendering_panel.h"
+#include "ui/settings_window.h"
+#include "ui/shown_values.h"
 #include "ui/slices_panel.h"
 #include "ui/start_page.h"
 #include "ui/status_bar.h"
@@ -57,7 +61,7 @@ void splitter(const char* name, bool upright, float sign, float& share, float le
   if (near) ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
   const ImVec2 delta = ImGui::GetIO().MouseDelta;
   if (held) share += sign * (upright ? delta.x : delta.y) / length;
-  const ImU32 color = near ? palette::accent : palette::frame;
+  const ImU32 color = near ? palette().accent : palette().frame;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = std::floor(gap / 2);
   if (upright)
@@ -92,9 +96,13 @@ bool tab(StudioState& state, const char* name, Panel&& panel) {
 
 bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   if (!ImGui::BeginTabBar("panels")) return false;
-  bool changed = tab(state, "Peaks", [&] { return peaks_and_table(document, state, inputs); });
+  bool changed = tab(state, "Peaks", [&] {
+    return in_shown_values(document, state, inputs, [&] { return peaks_and_table(document, state, inputs); });
+  });
   changed |= tab(state, "Points", [&] {
-    return points_panel(document.preset.transfer_function, state.editor, state.widgets);
+    return in_shown_values(document, state, inputs, [&] {
+      return points_panel(document.preset.transfer_function, state.editor, state.widgets);
+    });
   });
   changed |= tab(state, "Rendering", [&] { return rendering_panel(document, state, inputs, requests); });
   changed |= tab(state, "Accuracy", [&] { return accuracy_panel(document, state, inputs, requests); });
@@ -110,7 +118,8 @@ bool side(Document& document, StudioState& state, const StudioInputs& inputs, St
   float& share = state.layout.editor_share;
   share = std::clamp(share, 0.25F, 0.80F);
   ImGui::BeginChild("editor", {0, std::floor(height * share)}, false, fixed_child);
-  bool changed = transfer_function_editor(document, state, inputs);
+  bool changed = in_shown_values(document, state, inputs,
+                                 [&] { return transfer_function_editor(document, state, inputs); });
   ImGui::EndChild();
   splitter("##editor height", false, 1, share, height);
   ImGui::BeginChild("tabs", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
@@ -136,6 +145,7 @@ bool main_area(Document& document, StudioState& state, const StudioInputs& input
   else
     changed |= views_panel(document, state, inputs, requests);
   ImGui::EndChild();
+  error_banner(state, inputs, requests, ImGui::GetItemRectMin(), ImGui::GetItemRectSize().x);
   ImGui::SameLine(0, scaled(4));
   splitter("##side width", true, -1, share, width);
   ImGui::SameLine(0, scaled(4));
@@ -212,6 +222,8 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   begin_navigation(state.navigation);
   state.editor.hovered_peak.reset();
   state.widgets.number_taken = false;
+  close_error_by_key(state, inputs, requests);
+  follow_shown_values(state, document.preset.transfer_function, inputs);
   state.widgets.take_typed = inputs.close_requested || takes_typed_text();
   if (state.widgets.refused) state.widgets.refused->is_shown = false;
   const ActionContext context{document, state, inputs, requests};
@@ -233,6 +245,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   help_window(state);
   about_window(state, inputs.version);
   end_navigation(state.navigation);
+  settings_window(state);
   requests.show_visibility = is_visibility(state.editor.value_curve);
   if (!ImGui::IsAnyItemActive()) state.widgets.typed.clear();
   if (state.widgets.refused && !state.widgets.refused->is_shown) state.widgets.refused.reset();

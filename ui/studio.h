@@ -201,8 +201,9 @@ struct StudioRequests {
   std::optional<RayAsk> hovered;                     ///< the pixel under the mouse
   std::optional<std::filesystem::path> save_ray;     ///< the inspected ray, as a table
   std::optional<PictureAsk> save_picture;
-  std::string problem;    ///< with what the person asked for, which the panels found themselves
-  bool animates = false;  ///< something in the window changes by itself, at blink_s
+  bool close_message = false;  ///< the error was read
+  std::string problem;         ///< with what the person asked for, which the panels found themselves
+  bool animates = false;       ///< something in the window changes by itself, at blink_s
   /// Control points, first and last, whose surface is lit while the mouse rests on it in the list.
   LitPoints lit_points;
   bool document_changed = false;       ///< by this frame: an edit, undo or redo

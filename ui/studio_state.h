@@ -14,6 +14,7 @@
 #include "ui/file_dialog.h"
 #include "ui/history.h"
 #include "ui/navigation.h"
+#include "ui/settings.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -168,6 +169,8 @@ struct StudioState {
   glm::dvec3 slice_cursor{0.5};  ///< SlicesWanted::cursor
   PresetDetails details;
   LibraryState library;
+  StudioSettings settings;  ///< the program keeps them
+  bool settings_asked = false;
   PaletteState palette;
   NavigationState navigation;
   bool show_help = false, show_about = false;
@@ -177,7 +180,7 @@ struct StudioState {
   Leaving leaving;             ///< what the question about unsaved changes is about
   std::size_t shown_step{};    ///< of the history, to which its list was last scrolled
   double camera_moved = -1;    ///< when the wheel last moved the camera, in Dear ImGui's seconds
-  std::string under_cursor;    ///< what the status bar tells of the place under the mouse
+  std::string under_cursor;    ///< what is told at the mouse
 };
 
 }  // namespace crest

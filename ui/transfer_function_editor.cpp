@@ -11,6 +11,7 @@
 #include "ui/plot_interaction.h"
 #include "ui/plot_menu.h"
 #include "ui/point_tools.h"
+#include "ui/shown_values.h"
 #include "ui/snap.h"
 #include "ui/style.h"
 #include "ui/value_curves.h"
@@ -42,7 +43,7 @@ void draw_plot_content(ImDrawList& list, const TransferFunction& tf, EditorState
   draw_curve(list, plot, tf);
   draw_peaks(list, plot, tf, inputs.peaks);
   list.PopClipRect();
-  list.AddRect(plot.low, plot.high, palette::frame);
+  list.AddRect(plot.low, plot.high, palette().frame);
 }
 
 namespace {
@@ -60,27 +61,76 @@ void draw_plot(const TransferFunction& tf, EditorState& editor, const Plot& plot
                     true);
   if (editor.drag.snapped) {
     const float x = plot.x_of(*editor.drag.snapped);
-    list.AddLine({x, plot.low.y}, {x, plot.high.y}, palette::accent);
+    list.AddLine({x, plot.low.y}, {x, plot.high.y}, palette().accent);
   }
   const bool free = ImGui::IsItemHovered() && editor.drag.kind == EditorDrag::Kind::none;
   draw_points(list, plot, tf, editor.selection,
               free ? point_near(plot, tf.points, ImGui::GetIO().MousePos) : std::nullopt);
   if (editor.drag.kind == EditorDrag::Kind::box && editor.drag.under_way)
-    list.AddRect(editor.drag.start, ImGui::GetIO().MousePos, palette::accent);
+    list.AddRect(editor.drag.start, ImGui::GetIO().MousePos, palette().accent);
   list.PopClipRect();
   const ValueRange span = span_of(tf, editor.selection);
   draw_span(list, plot, span,
             free ? span_handle_at(plot, span, ImGui::GetIO().MousePos) : std::optional(editor.drag.kind));
   if (!editor.note.empty())
-    list.AddText({plot.low.x + scaled(6), plot.high.y - ImGui::GetFontSize() - scaled(4)}, palette::warning,
+    list.AddText({plot.low.x + scaled(6), plot.high.y - ImGui::GetFontSize() - scaled(4)}, palette().warning,
                  editor.note.c_str());
 }
 
-std::string place_text(const TransferFunction& tf, const Plot& plot) {
+/// What is at the mouse, in lines.
+std::string place_text(const TransferFunction& tf, const EditorState& editor, const StudioInputs& inputs,
+                       const Plot& plot, ValueMap to_domain) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const double value = round_to_resolution(plot.axis.value_at(mouse.x), plot.axis.value_per_pixel());
-  return fmt::format("value {}   curve {:.3g}   cursor {:.3g}", exact_text(value),
-                     evaluate(tf, value).opacity, plot.opacity_at(mouse.y));
+  std::string text = fmt::format("value {}\nopacity {:.3g}, here {:.3g}", exact_text(value),
+                                 evaluate(tf, value).opacity, plot.opacity_at(mouse.y));
+  if (!inputs.volume) return text;
+  const std::string of_value =
+      value_curve_text(editor, inputs, (plot.axis.value_at(mouse.x) - to_domain.offset) / to_domain.scale);
+  return of_value.empty() ? text : text + "\n" + of_value;
+}
+
+/// Beside the mouse, on the side where there is room.
+void draw_readout(const Plot& plot, const std::string& text) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos, size = ImGui::CalcTextSize(text.c_str());
+  const float gap = scaled(16);
+  const bool fits = mouse.x + gap + size.x + scaled(6) < plot.high.x;
+  const ImVec2 at{fits ? mouse.x + gap : mouse.x - gap - size.x,
+                  std::clamp(mouse.y + gap, plot.low.y + scaled(4),
+                             std::max(plot.low.y + scaled(4), plot.high.y - size.y - scaled(4)))};
+  text_on_picture(*ImGui::GetWindowDrawList(), at, text);
+}
+
+/// Which values the axis is in.
+void value_switch(const TransferFunction& tf, StudioState& state, const StudioInputs& inputs) {
+  const auto option = [&](const char* text, const char* name, bool data, const char* meaning) {
+    const bool is_on = tf.domain == (data ? Domain::data : Domain::normalized);
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetStyleColorVec4(is_on ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
+    if (ImGui::Button(text)) state.settings.data_values = data;
+    ImGui::PopStyleColor();
+    note_item(state.widgets, name);
+    tip(meaning);
+  };
+  ImGui::BeginDisabled(!inputs.volume);
+  option("Data", "values/data", true, "The axis and all fields are in the volume's values");
+  ImGui::SameLine(0, scaled(2));
+  option("0 to 1", "values/normalized", false, "From the volume's least value, 0, to its greatest, 1");
+  ImGui::EndDisabled();
+}
+
+/// What is seen of the axis, and widths, belong to the values that it is in.
+void follow_shown_values(EditorState& editor, const TransferFunction& stored, Domain shown,
+                         const Volume* volume) {
+  std::optional<ValueRange> converted;
+  if (volume && stored.domain != shown) converted = volume->statistics.range;
+  const bool is_same =
+      converted.has_value() == editor.converted.has_value() &&
+      (!converted || (converted->min == editor.converted->min && converted->max == editor.converted->max));
+  if (is_same) return;
+  editor.converted = converted;
+  editor.visible.reset();
+  editor.new_peak_width.reset();
 }
 
 /// A press ends what was noted, and may begin a drag that snaps to what the volume has.
@@ -121,6 +171,11 @@ void frame_selection(const Document& document, EditorState& editor, const Studio
   const double middle = (low + high) / 2;
   const double width = std::max((high - low) * 1.6, whole.width() * deepest_zoom);
   editor.visible = pan(zoom({middle - width / 2, middle + width / 2}, whole, middle, 1), whole, 0);
+}
+
+void follow_shown_values(StudioState& state, const TransferFunction& stored, const StudioInputs& inputs) {
+  follow_shown_values(state.editor, stored, shown_domain(stored, state.settings, inputs.volume != nullptr),
+                      inputs.volume);
 }
 
 bool transfer_function_editor(Document& document, StudioState& state, const StudioInputs& inputs) {
@@ -164,17 +219,16 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
     changed = true;
   else
     changed |= handle_plot_mouse(tf, editor, plot, whole);
-  if (ImGui::IsItemHovered()) {
-    const double value = plot.axis.value_at(ImGui::GetIO().MousePos.x);
-    state.under_cursor = place_text(tf, plot) + "   " +
-                         value_curve_text(editor, inputs, (value - to_domain.offset) / to_domain.scale);
-  }
+  if (ImGui::IsItemHovered()) state.under_cursor = place_text(tf, editor, inputs, plot, to_domain);
   const bool keys_are_free = !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() &&
                              !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   if (keys_are_free && has_arrows) changed |= handle_plot_keys(tf, editor, plot);
   draw_plot(tf, editor, plot, inputs);
   show_focus(id, plot.low, plot.high);
+  if (ImGui::IsItemHovered() && !state.under_cursor.empty()) draw_readout(plot, state.under_cursor);
   changed |= plot_menus(document, editor, state.widgets, inputs, visible);
+  value_switch(tf, state, inputs);
+  ImGui::SameLine();
   changed |= unit_fields(tf, state.widgets);
   ImGui::SameLine();
   if (ImGui::ArrowButton("##peak rule", editor.peak_rule ? ImGuiDir_Down : ImGuiDir_Right))

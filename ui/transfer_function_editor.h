@@ -5,6 +5,9 @@
 
 namespace crest {
 
+/// To be called once a frame, before anything edits the TF in shown values (edit_shown).
+void follow_shown_values(StudioState& state, const TransferFunction& stored, const StudioInputs& inputs);
+
 /// The transfer function: fields of the selected point, the plot, and what the opacities mean. Returns
 /// whether it changed the document.
 bool transfer_function_editor(Document& document, StudioState& state, const StudioInputs& inputs);

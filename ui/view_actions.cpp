@@ -69,6 +69,7 @@ void toggle_error_bound(ViewsState& views) {
 
 /// Esc goes back by one step: what is selected, what is compared, the view that fills the grid.
 void go_back(StudioState& state) {
+  if (state.escape_taken) return;
   ViewsState& views = state.views;
   const int compared = views.comparison ? views.comparison->view : -1;
   const bool is_seen = views.enlarged >= 0 ? compared == views.enlarged : compared < views.count;
@@ -191,6 +192,12 @@ void add_view_actions(std::vector<Action>& table) {
               .separated = true,
               .tip = "From the selection, a comparison, a view that fills the grid",
               .run = [](const ActionContext& c) { return go_back(c.state), false; }});
+  add(table, {.name = "Settings...",
+              .tip = "Dark or light, the size of texts and controls",
+              .run = [](const ActionContext& c) {
+                c.state.settings_asked = true;
+                return false;
+              }});
   add(table, {.name = "Reload shaders", .key = {key::f5}, .run = [](const ActionContext& c) {
                 c.requests.reload_shaders = true;
                 return false;

@@ -34,7 +34,7 @@ void error_legend(ImDrawList& list, ImVec2 at) {
     at.x += width;
   }
   const std::string text = fmt::format("off by at most {:g} .. {:g}", least_shown_error, most_shown_error);
-  list.AddText({at.x + scaled(6), at.y + (height - ImGui::GetFontSize()) / 2}, palette::dim, text.c_str());
+  text_on_picture(list, {at.x + scaled(10), at.y + (height - ImGui::GetFontSize()) / 2}, text);
 }
 
 /// Moves the camera in force as the mouse says.
@@ -87,22 +87,22 @@ void picture(int index, StudioState& state, const StudioInputs& inputs, const Ca
   } else if (view.texture != 0)
     list.AddImage(reinterpret_cast<ImTextureID>(view.texture), low, high);
   else
-    list.AddRectFilled(low, high, palette::plot);
+    list.AddRectFilled(low, high, palette().plot);
   list.PushClipRect(low, high, true);
   if (inputs.volume && state.views.outline) draw_outline(list, camera, inputs.volume->grid, low, size);
   if (!inputs.volume) {
     const char* hint =
         inputs.loading.empty() ? "Volume > Open, or drop a file here" : "Reading the volume ...";
     const ImVec2 text = ImGui::CalcTextSize(hint);
-    list.AddText({low.x + (size.x - text.x) / 2, low.y + (size.y - text.y) / 2}, palette::faint, hint);
+    list.AddText({low.x + (size.x - text.x) / 2, low.y + (size.y - text.y) / 2}, palette().secondary, hint);
   }
   if (view.texture != 0 && (view.coarseness > 1 || view.progress < 1)) {
     const std::string hint = view.coarseness > 1 ? fmt::format("coarse 1:{}", view.coarseness)
                              : view.is_exact     ? fmt::format("exact: {:.0f} %", 100 * view.progress)
                                                  : "refining";
-    list.AddText({low.x + scaled(8), high.y - ImGui::GetFontSize() - scaled(8)}, palette::dim, hint.c_str());
+    text_on_picture(list, {low.x + scaled(10), high.y - ImGui::GetFontSize() - scaled(10)}, hint);
     const float done = size.x * float(std::clamp(view.progress, 0.0, 1.0));
-    list.AddRectFilled({low.x, high.y - scaled(2)}, {low.x + done, high.y}, palette::accent);
+    list.AddRectFilled({low.x, high.y - scaled(2)}, {low.x + done, high.y}, palette().accent);
   }
   const ShownPicture shown =
       state.views.contents[std::size_t(index)].picture.value_or(shown_by_all(state.views));
@@ -122,7 +122,7 @@ void cursor_mark(ImDrawList& list, glm::vec2 cursor, ImVec2 low, ImVec2 size) {
   const ImVec2 at{low.x + size.x / 2 + cursor.x * size.y, low.y + cursor.y * size.y};
   const float inner = scaled(4), outer = scaled(11);
   list.PushClipRect(low, {low.x + size.x, low.y + size.y}, true);
-  for (const auto& [color, width] : {std::pair{IM_COL32(0, 0, 0, 160), 3.0F}, {palette::text, 1.0F}})
+  for (const auto& [color, width] : {std::pair{IM_COL32(0, 0, 0, 160), 3.0F}, {IM_COL32_WHITE, 1.0F}})
     for (const float way : {-1.0F, 1.0F}) {
       list.AddLine({at.x + way * inner, at.y}, {at.x + way * outer, at.y}, color, width);
       list.AddLine({at.x, at.y + way * inner}, {at.x, at.y + way * outer}, color, width);
