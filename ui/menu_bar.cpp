@@ -118,6 +118,10 @@ void carry_menu(StudioState& state, const StudioInputs& inputs, StudioRequests& 
   if (item(state, "By histogram", nullptr, inputs.carry_over->knows_values))
     requests.carry = CarryBy::histogram;
   tip("A value goes to that with as many voxels below it");
+  if (item(state, "By the same places", nullptr, inputs.carry_over->same_grid))
+    requests.carry = CarryBy::places;
+  tip("By least squares: a value goes to what the volume has on average where the last one has the value.\n"
+      "For two volumes of the same thing on the same grid");
   if (item(state, "By range")) requests.carry = CarryBy::range;
   tip("Least to least, greatest to greatest value");
   if (item(state, "As values")) requests.carry = CarryBy::value;

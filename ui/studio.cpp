@@ -219,6 +219,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   if (inputs.dropped_preset) requests.open_preset = inputs.dropped_preset;
   file_question(state, requests);
   unsaved_question(document, state, inputs, requests);
+  saving_question(state, inputs, requests);
   help_window(state);
   requests.show_visibility = is_visibility(state.editor.value_curve);
   if (!ImGui::IsAnyItemActive()) state.widgets.typed.clear();

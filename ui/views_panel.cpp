@@ -11,6 +11,7 @@
 #include "ui/camera_control.h"
 #include "ui/comparison_view.h"
 #include "ui/picking.h"
+#include "ui/questions.h"
 #include "ui/style.h"
 #include "ui/view_caption.h"
 #include "ui/view_overlay.h"
@@ -198,6 +199,10 @@ bool views_panel(Document& document, StudioState& state, const StudioInputs& inp
   requests.contents = views.contents;
   requests.inspect = state.ray.ask;
   requests.problem = std::exchange(views.error, "");
+  if (std::exchange(views.asks_for_own, false)) requests.reads_library = true;
+  if (std::exchange(views.asks_for_file, false)) ask_for_file(state, document, FilePurpose::view_preset);
+  if (views.comparison && views.comparison->follows)
+    views.comparison->with = views.contents[std::size_t(*views.comparison->follows)];
   if (views.comparison && requests.view_pixels[std::size_t(views.comparison->view)].x > 0) {
     requests.comparison = views.comparison;
     requests.animates |= views.comparison->kind == ComparisonKind::blink;

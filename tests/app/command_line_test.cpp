@@ -25,7 +25,8 @@ TEST_F(CommandLine, HelpTellsEachOption) {
        {"PRESET", "--to", "paraview", "csv", "--output", "--volume", "--samples", "--size", "--preview",
         "--json"}},
       {"import", {"FILE", "--output", "--name", "--list", "--take", "--onto", "--volume", "--json"}},
-      {"match", {"PRESET", "--from", "--to", "--output", "--by", "histogram", "range", "--json"}},
+      {"match",
+       {"PRESET", "--from", "--to", "--output", "--by", "histogram", "range", "least-squares", "--json"}},
       {"list", {"volumes", "formats", "methods", "presets", "devices"}}};
   const std::string help = output_of({"--help"});
   for (const std::string& option : scene + Words{"--version", "--shaders", "--log-frames", "Exit codes"})
