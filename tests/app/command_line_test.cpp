@@ -28,7 +28,8 @@ TEST_F(CommandLine, HelpTellsEachOption) {
        {"PRESET", "--to", "paraview", "csv", "--output", "--volume", "--samples", "--size", "--preview",
         "--json"}},
       {"import", {"FILE", "--output", "--name", "--list", "--take", "--onto", "--volume", "--json"}},
-      {"match", {"PRESET", "--from", "--to", "--output", "--by", "histogram", "range", "--json"}},
+      {"match",
+       {"PRESET", "--from", "--to", "--output", "--by", "histogram", "range", "least-squares", "--json"}},
       {"list", {"volumes", "formats", "methods", "presets", "devices"}}};
   const std::string help = output_of({"--help"});
   for (const char* part : {"--version", "Exit codes"}) EXPECT_NE(help.find(part), std::string::npos) << part;
