@@ -181,12 +181,21 @@ void view_caption(int index, StudioState& state, const StudioInputs& inputs, con
   const bool enlarged = state.views.enlarged == index, compares = compares_view(state.views, index);
   const std::string name = fmt::format("content{}", index), compare = fmt::format("compare{}", index);
 
-  const std::string compare_text = compares ? "comparing" : "compare";
-  const char* action = enlarged ? "restore" : "enlarge";
-  const float actions = ImGui::CalcTextSize(with_arrow(compare_text).c_str()).x +
-                        ImGui::CalcTextSize(action).x + 2 * padding + scaled(4);
   const float sign = view.warnings.empty() ? 0 : gap + ImGui::GetFontSize();
-  const float room = width - actions - gap - sign - padding - ImGui::CalcTextSize(with_arrow("").c_str()).x;
+  const float arrow = ImGui::CalcTextSize(with_arrow("").c_str()).x;
+  const auto width_of = [&](const std::string& compare_text, const std::string& action) {
+    return ImGui::CalcTextSize(with_arrow(compare_text).c_str()).x + ImGui::CalcTextSize(action.c_str()).x +
+           2 * padding + scaled(4);
+  };
+  // Where the name would be cut, the buttons beside it have signs in place of words
+  std::string compare_text = compares ? "comparing" : "compare", action = enlarged ? "restore" : "enlarge";
+  const float named = ImGui::CalcTextSize(text_of(content).c_str()).x + padding + arrow;
+  if (named + sign + gap + width_of(compare_text, action) > width) {
+    compare_text = "vs";
+    action = enlarged ? "-" : "+";
+  }
+  const float actions = width_of(compare_text, action);
+  const float room = width - actions - gap - sign - padding - arrow;
   popup_button(state.widgets, shortened(text_of(content), std::max(room, scaled(24))), name);
   float left = ImGui::GetItemRectSize().x;
   tip(fmt::format("{}: {}\n{} in files. Click to choose what this view shows", text_of(content),
@@ -217,8 +226,9 @@ void view_caption(int index, StudioState& state, const StudioInputs& inputs, con
     ImGui::EndPopup();
   }
   ImGui::SameLine(0, scaled(4));
-  if (ImGui::Button(action)) state.views.enlarged = enlarged ? -1 : index;
+  if (ImGui::Button(action.c_str())) state.views.enlarged = enlarged ? -1 : index;
   note_item(state.widgets, fmt::format("enlarge{}", index));
+  tip(enlarged ? "All views again (also: double-click, Esc)" : "This view alone (also: double-click)");
   ImGui::PopStyleVar();
   explanation(rendering_of(content, preset), content.picture.value_or(shown_by_all(state.views)), view);
 }
