@@ -33,12 +33,13 @@ void add_help_and_config(CLI::App& app, CommandRow& command) {
   add_row(app.get_help_ptr(), command, "-h,--help", "Print this", none, "");
 }
 
-/// The options before a command are the program's own; the command would pass them over.
+/// The options before a command are the program's own; the command would pass them over. --no-config is for
+/// all.
 void require_none_before_command(const CLI::App& app) {
   if (app.get_subcommands().empty()) return;
   const std::string command = app.get_subcommands().front()->get_name();
   for (const CLI::Option* option : app.get_options())
-    if (option->count() > 0)
+    if (option->count() > 0 && !option->check_name("--no-config"))
       throw UsageError(option->get_name(),
                        fmt::format("is given before the command; what is for {0} comes after {0}", command));
 }
