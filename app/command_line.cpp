@@ -1,13 +1,17 @@
 #include "app/command_line.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <new>
+#include <utility>
 
 #include "app/commands.h"
 #include "presets/error.h"
@@ -37,16 +41,26 @@ const CommandLine::Texts texts = {
         "-o modes.png\n"
         "Exit codes: 0 done; 1 the work failed; 2 the command line is wrong."};
 
+/// A closed standard stream would be the next file that is opened, and be printed into. What goes to stdout
+/// then is an error; what goes to stderr is lost.
+void open_standard_streams() {
+  for (const auto& [stream, mode] :
+       {std::pair(STDIN_FILENO, O_WRONLY), {STDOUT_FILENO, O_RDONLY}, {STDERR_FILENO, O_WRONLY}}) {
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", mode);  // the lowest number that is free
+  }
+}
+
 /// What was printed is out, or it is an error (a full disk).
 void flush_output() {
-  if (std::fflush(stdout) != 0)
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw Error(fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
 }
 
 }  // namespace
 
-int run_command_line(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its writer
+namespace {
+
+void read_and_run(int argc, char** argv) {
   CommandLine line(texts);
   const Options options = line.options();
   Action chosen;
@@ -61,10 +75,18 @@ int run_command_line(int argc, char** argv) {
   add_import_command(options, chosen);
   add_match_command(options, chosen);
   add_list_command(options, chosen);
+  if (line.read(argc, argv)) chosen();
+  flush_output();
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its writer
+  open_standard_streams();
+  ::setenv("EGL_LOG_LEVEL", "fatal", 0);  // what cannot be drawn with is said in our words
   try {
-    if (const auto exit_code = line.read(argc, argv)) return *exit_code;
-    chosen();
-    flush_output();
+    read_and_run(argc, argv);
     return 0;
   } catch (const UsageError& error) {
     report(fmt::format("{} (see crest --help)", error.what()));

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "app/commands.h"
+#include "presets/atomic_file.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
 #include "presets/preset_file.h"
@@ -17,6 +18,7 @@ struct MatchOptions {
 };
 
 void match(const MatchOptions& options) {
+  require_writable(options.output);  // before the volumes are read
   Preset preset = load_preset(options.preset);
   TransferFunction& tf = preset.transfer_function;
   const ValueDistribution from = distribution_of(load_volume(options.from)),

@@ -42,8 +42,10 @@ Options Options::add_command(const std::string& name, const std::string& help) {
   return Options(app_->add_subcommand(name, help));
 }
 
+// An empty value is a variable of a script that has none, and would be taken for an option that is not there.
 Option Options::add(const std::string& names, std::string& value, const std::string& help) {
-  return Option(app_->add_option(names, value, help));
+  Option option(app_->add_option(names, value, help));
+  return names.starts_with('-') ? option.not_empty() : option;
 }
 
 Option Options::add(const std::string& names, int& value, const std::string& help) {
@@ -51,7 +53,7 @@ Option Options::add(const std::string& names, int& value, const std::string& hel
 }
 
 Option Options::add(const std::string& names, std::vector<std::string>& values, const std::string& help) {
-  return Option(app_->add_option(names, values, help));
+  return Option(app_->add_option(names, values, help)).not_empty();
 }
 
 void Options::add_flag(const std::string& names, bool& value, const std::string& help) {
@@ -84,13 +86,14 @@ CommandLine::~CommandLine() = default;
 
 Options CommandLine::options() { return Options(app_.get()); }
 
-std::optional<int> CommandLine::read(int argc, char** argv) {
+bool CommandLine::read(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
     require_none_before_command(*app_);
-    return std::nullopt;
+    return true;
   } catch (const CLI::Success& success) {
-    return app_->exit(success);  // --help and --version
+    app_->exit(success);  // --help and --version
+    return false;
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
   }

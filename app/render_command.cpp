@@ -115,6 +115,8 @@ void render_as_chosen(Scene scene, const Camera& camera, const RenderOptions& al
 
 void render_picture(RenderOptions options) {
   const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
+  require_picture_file(options.picture.output);
+  if (!options.error_bound.empty()) require_picture_file(options.error_bound);
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
   const Preset preset = options.picture.with_exact(options.scene.read_preset(*volume, aspect));
   if (!options.error_bound.empty() && !is_exact(preset.rendering))
