@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/sources.h"
+#include "presets/atomic_file.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
 #include "presets/preset_file.h"
@@ -43,6 +44,7 @@ Carried carry(const TransferFunction& tf, const MatchOptions& options) {
 }
 
 void match(const MatchOptions& options) {
+  require_writable(options.output);  // before the volumes are read
   Preset preset = load_preset(options.preset);
   TransferFunction& tf = preset.transfer_function;
   const Carried carried = carry(tf, options);
