@@ -11,7 +11,19 @@
 namespace crest {
 
 /// The forms of volume files that need a library.
-enum class FileForm { nrrd, metaimage, nifti, mrc, vtk, dicom_file, dicom_series, image_pages, image_folder };
+enum class FileForm {
+  nrrd,
+  metaimage,
+  nifti,
+  mrc,
+  vtk,
+  vti,
+  npy,
+  dicom_file,
+  dicom_series,
+  image_pages,
+  image_folder
+};
 
 /// What ITK and OpenImageIO do for Crest. They load some 260 libraries, which takes a third of a second: so
 /// they live in a library of their own (render/files), which is loaded when it is first asked for.

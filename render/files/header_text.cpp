@@ -83,7 +83,7 @@ std::vector<std::filesystem::path> files_of_pattern(std::string_view name,
   const auto number = [&](std::size_t i) { return i < parts.size() ? to_integer(parts[i]) : std::nullopt; };
   const auto pattern = parts.empty() ? std::nullopt : parse_numbered_name(parts[0]);
   const auto first = number(1), last = number(2), step = parts.size() > 3 ? number(3) : 1;
-  const auto fits = [](std::optional<std::int64_t> n) { return n && std::abs(*n) <= most_files; };
+  const auto fits = [](std::optional<std::int64_t> n) { return n && *n >= -most_files && *n <= most_files; };
   if (!pattern || !fits(first) || !fits(last) || !fits(step) || *step == 0) {
     throw Error(fmt::format("{}: its voxel files \"{}\" are not like \"slice.%03d 1 93 1\"", name,
                             fmt::join(parts, " ")));

@@ -1,17 +1,18 @@
 #include <fmt/format.h>
-#include <itkGDCMImageIO.h>
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <map>
 #include <ranges>
+#include <set>
+#include <span>
 
 #include "presets/error.h"
-#include "render/files/header_text.h"
+#include "render/readers/dicom_stack.h"
 #include "render/readers/dicom_structure.h"
-#include "render/readers/itk_support.h"
 #include "render/readers/readers.h"
+#include "render/readers/select_one.h"
+#include "render/readers/subtract.h"
+#include "render/readers/voxel_header.h"
 #include "render/volume/convert.h"
 #include "render/volume/memory.h"
 
@@ -19,63 +20,32 @@ namespace crest {
 namespace {
 
 namespace fs = std::filesystem;
-using Files = std::vector<std::string>;
+using Images = std::vector<DicomImage>;
 
-itk::GDCMImageIO::Pointer open(const std::string& file) {
-  const DicomStructure structure = read_dicom_structure(file);
-  if (!structure.has_image) throw Error(fmt::format("{}: the DICOM file holds no image", file));
-  const auto io = itk::GDCMImageIO::New();
-  io->SetFileName(file);
-  with_itk(file, [&] { io->ReadImageInformation(); });
-  const std::uint64_t value_size = size_of(scalar_type(file, io->GetInternalComponentType()));
-  constexpr std::uint64_t longest_axis = 1u << 16;  // the product cannot overflow
-  std::uint64_t promised = value_size * io->GetNumberOfComponents();
-  for (unsigned axis = 0; axis < 3; ++axis)
-    promised *= std::min<std::uint64_t>(io->GetDimensions(axis), longest_axis);
-  if (structure.pixel_bytes && *structure.pixel_bytes < promised) {
-    throw Error(fmt::format("{}: the header promises {} bytes of pixels, and the file has {}", file, promised,
-                            *structure.pixel_bytes));
-  }
-  return io;
-}
-
-glm::dvec3 position_of(const itk::GDCMImageIO& io) {
-  return {io.GetOrigin(0), io.GetOrigin(1), io.GetOrigin(2)};
-}
-
-/// One slice of a series: its file, and what it is sorted by.
-struct Slice {
-  double along_normal, number;
-  std::string file;
-  auto operator<=>(const Slice&) const = default;
-};
-
-std::string text_of(itk::GDCMImageIO& io, const std::string& tag) {
-  std::string value;
-  io.GetValueFromTag(tag, value);
-  return std::string(trim(std::string_view(value).substr(0, value.find('\0'))));
-}
-
-std::map<std::string, std::vector<Slice>> find_series(const fs::path& folder) {
-  std::map<std::string, std::vector<Slice>> series;
+/// The folder's DICOM files, and those that its DICOMDIR names.
+std::set<fs::path> files_in(const fs::path& folder) {
+  std::set<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (!is_dicom(entry.path()) || !read_dicom_structure(entry.path()).has_image) continue;
-    const std::string file = entry.path().string();
-    const auto io = open(file);
-    const auto axis = [&](unsigned i) {
-      const std::vector<double> d = io->GetDirection(i);
-      return glm::dvec3(d[0], d[1], d[2]);
-    };
-    const double along_normal = glm::dot(position_of(*io), glm::cross(axis(0), axis(1)));
-    const double number = to_number(text_of(*io, "0020|0013")).value_or(0);
-    series[text_of(*io, "0020|000e")].push_back({along_normal, number, file});
+    if (!is_dicom(entry.path())) continue;
+    if (entry.path().filename() != "DICOMDIR") {
+      files.insert(entry.path());
+      continue;
+    }
+    for (const fs::path& file : files_of_dicomdir(entry.path()))
+      if (is_dicom(file)) files.insert(file);
   }
+  return files;
+}
+
+std::map<std::string, Images> find_series(const fs::path& folder) {
+  std::map<std::string, Images> series;
+  for (const fs::path& file : files_in(folder))
+    for (DicomImage& image : read_dicom_images(file)) series[image.series].push_back(std::move(image));
   return series;
 }
 
-/// The files of the series that the query names, or of the one with the most, in the order of their
-/// positions.
-Files series_files(const FileRequest& request, std::string& note) {
+/// The images of the series that the query names, or of the one with the most.
+Images series_images(const FileRequest& request, std::string& note) {
   auto all = find_series(request.path);
   if (all.empty()) throw Error(fmt::format("{}: its DICOM files hold no images", request.name()));
   auto chosen = std::ranges::max_element(all, {}, [](const auto& entry) { return entry.second.size(); });
@@ -87,85 +57,70 @@ Files series_files(const FileRequest& request, std::string& note) {
     }
   }
   if (all.size() > 1) note = fmt::format("series {}, one of {} in the folder", chosen->first, all.size());
-  std::ranges::sort(chosen->second);
-  Files files;
-  for (const Slice& slice : chosen->second) files.push_back(slice.file);
-  return files;
+  return chosen->second;
 }
 
-/// Along the third axis the positions of the slices tell the spacing, not the slices' thickness.
-void measure_slices(const std::vector<glm::dvec3>& positions, Volume& volume) {
-  constexpr double tolerance = 0.01;
-  const std::size_t steps = positions.size() - 1;
-  if (steps == 0 || positions.front() == positions.back()) return;
-  const glm::dvec3 whole = positions.back() - positions.front();
-  const double spacing = glm::length(whole) / double(steps);
-  volume.grid.spacing.z = spacing;
-  volume.direction[2] = glm::normalize(whole);
-  for (std::size_t i = 0; i < steps; ++i) {
-    const double step = glm::distance(positions[i], positions[i + 1]);
-    if (std::abs(step - spacing) <= tolerance * spacing) continue;
-    volume.note += fmt::format("{}the slices are not evenly spaced: {} after slice {}, {} on average",
-                               volume.note.empty() ? "" : "; ", step, i + 1, spacing);
-    return;
-  }
+void note_values(const Images& slices, std::string& note) {
+  const DicomImage& first = slices.front();
+  if (first.photometric == "MONOCHROME1")
+    add_note(note, "0 is shown white by other programs (MONOCHROME1); values are kept");
+  if (first.photometric == "PALETTE COLOR") add_note(note, "values are numbers of colours in its palette");
+  if (first.has_value_table) add_note(note, "a table for its values (Modality LUT) is not applied");
 }
 
-/// Throws Error unless a file's image is like the first one's.
-void require_alike(const itk::GDCMImageIO& io, const itk::GDCMImageIO& first) {
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    if (io.GetDimensions(axis) == first.GetDimensions(axis)) continue;
-    throw Error(fmt::format("{}: its image is {}x{}, and {} is {}x{}: a volume's slices are of one size",
-                            io.GetFileName(), io.GetDimensions(0), io.GetDimensions(1), first.GetFileName(),
-                            first.GetDimensions(0), first.GetDimensions(1)));
+/// The files' frames; a file is decoded when another one was asked for before.
+class Pixels {
+ public:
+  /// One slice's samples, `samples` of them, of a file with `frames`.
+  std::span<const std::byte> of(const DicomImage& slice, std::uint64_t frames, std::size_t samples) {
+    if (slice.file != file_) pixels_ = read_dicom_pixels(slice.file, samples * frames);
+    file_ = slice.file;
+    const std::size_t bytes = samples * size_of(pixels_.type);
+    return std::span(pixels_.bytes).subspan(slice.frame * bytes, bytes);
   }
-  if (io.GetNumberOfComponents() != first.GetNumberOfComponents()) {
-    throw Error(fmt::format("{}: it has {} components, and {} has {}", io.GetFileName(),
-                            io.GetNumberOfComponents(), first.GetFileName(), first.GetNumberOfComponents()));
-  }
-}
+  ScalarType type() const { return pixels_.type; }
 
-Volume read_files(const FileRequest& request, const Files& files, std::string note) {
+ private:
+  fs::path file_;
+  DicomPixels pixels_;
+};
+
+Volume read_images(const FileRequest& request, Images images, std::string note) {
   const std::string name = request.name();
-  const auto first = open(files.front());
-  const std::uint64_t components = first->GetNumberOfComponents();
-  if (components > 1 && !request.query.contains("component")) {
-    throw Error(fmt::format("{}: it has {} components, and a volume is one: take the first with ?component=0",
-                            name, components));
-  }
-  const auto component =
-      std::size_t(integer_in(name, request.query, "component", 0, 0, std::int64_t(components) - 1));
-  const glm::u64vec3 file_dims(first->GetDimensions(0), first->GetDimensions(1), first->GetDimensions(2));
-  const glm::u64vec3 dims(file_dims.x, file_dims.y, file_dims.z * files.size());
-  if (dims.z < 2) throw Error(fmt::format("{}: one DICOM slice: open the folder with its series", name));
-  require_memory(name, dims, components * sizeof(double) / files.size(), request.memory);
-
+  std::map<fs::path, std::uint64_t> frames_of;
+  for (const DicomImage& image : images) ++frames_of[image.file];
+  const DicomStack stack = stack_dicom(name, std::move(images));
+  add_note(note, stack.note);
   Volume volume;
-  volume.note = std::move(note);
-  if (components > 1) {
-    volume.note += fmt::format("{}component {} of {} (counted from 0)", volume.note.empty() ? "" : "; ",
-                               component, components);
-  }
-  volume.file_type = scalar_type(name, first->GetInternalComponentType());
-  volume.grid.dims = glm::ivec3(dims);
-  take_geometry(*first, volume);
+  const auto frame =
+      std::size_t(select_one(request, "frame", stack.frames.size(), volume.note, stack.frame_names));
+  const Images& slices = stack.frames[frame];
+  const DicomImage& first = slices.front();
+  const auto component = std::size_t(select_one(request, "component", first.samples, volume.note));
+  add_note(volume.note, note);
+  const glm::u64vec3 dims(first.columns, first.rows, slices.size());
+  if (dims.z < 2) throw Error(fmt::format("{}: one DICOM slice: open the folder with its series", name));
+  require_memory(name, dims, first.samples * sizeof(double) * frames_of[first.file] / slices.size(),
+                 request.memory);
+
+  const DicomGeometry geometry = geometry_of(slices);
+  volume.grid = {glm::ivec3(dims), geometry.spacing, geometry.origin};
+  volume.direction = geometry.direction;
+  add_note(volume.note, geometry.note);
+  note_values(slices, volume.note);
   volume.values.resize(volume.grid.point_count());
-  const std::size_t points = file_dims.x * file_dims.y * file_dims.z;
-  std::vector<glm::dvec3> positions;
-  for (std::size_t f = 0; f < files.size(); ++f) {
-    const auto io = open(files[f]);
-    require_alike(*io, *first);
-    positions.push_back(position_of(*io));
-    const ScalarType type = scalar_type(files[f], io->GetComponentType());  // its rescaling is its own
-    std::vector<std::byte> bytes(points * components * size_of(type));
-    itk::ImageIORegion all(3);
-    for (unsigned axis = 0; axis < 3; ++axis) all.SetSize(axis, io->GetDimensions(axis));
-    io->SetIORegion(all);
-    with_itk(files[f], [&] { io->Read(bytes.data()); });
-    convert_to_float(std::span(bytes).subspan(component * size_of(type)), type, components,
-                     std::span(volume.values).subspan(f * points, points));
+  const std::size_t points = dims.x * dims.y;
+  Pixels pixels;
+  const LinearMap subtraction = subtracted(request, {}, volume.note);
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    const DicomImage& slice = slices[k];
+    const auto bytes = pixels.of(slice, frames_of[slice.file], points * slice.samples);
+    if (k == 0) volume.file_type = pixels.type();
+    LinearMap map = slice.samples == 1 ? slice.scaling : LinearMap();
+    map.intercept += subtraction.intercept;
+    convert_to_float(bytes.subspan(component * size_of(pixels.type())), pixels.type(), slice.samples,
+                     std::span(volume.values).subspan(k * points, points), map);
   }
-  measure_slices(positions, volume);
   return volume;
 }
 
@@ -177,15 +132,17 @@ bool has_dicom(const fs::path& folder) {
 }
 
 Volume read_dicom_file(const FileRequest& request) {
-  require_known_keys(request.name(), request.query, "component");
-  return read_files(request, {request.name()}, "");
+  require_known_keys(request.name(), request.query, "component,frame,subtract");
+  Images images = read_dicom_images(request.path);
+  if (images.empty()) throw Error(fmt::format("{}: the DICOM file holds no image", request.name()));
+  return read_images(request, std::move(images), "");
 }
 
 Volume read_dicom_series(const FileRequest& request) {
-  require_known_keys(request.name(), request.query, "component,series");
+  require_known_keys(request.name(), request.query, "component,frame,series,subtract");
   std::string note;
-  const Files files = series_files(request, note);
-  return read_files(request, files, note);
+  Images images = series_images(request, note);
+  return read_images(request, std::move(images), note);
 }
 
 }  // namespace crest

@@ -17,6 +17,10 @@ Volume read_volume(FileForm form, const FileRequest& request) {
       return read_mrc(request);
     case FileForm::vtk:
       return read_vtk(request);
+    case FileForm::vti:
+      return read_vti(request);
+    case FileForm::npy:
+      return read_npy(request);
     case FileForm::dicom_file:
       return read_dicom_file(request);
     case FileForm::dicom_series:

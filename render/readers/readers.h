@@ -11,6 +11,8 @@ Volume read_metaimage(const FileRequest& request);
 Volume read_nifti(const FileRequest& request);
 Volume read_mrc(const FileRequest& request);
 Volume read_vtk(const FileRequest& request);
+Volume read_vti(const FileRequest& request);
+Volume read_npy(const FileRequest& request);
 Volume read_dicom_file(const FileRequest& request);
 Volume read_dicom_series(const FileRequest& request);  ///< of the folder's DICOM files
 Volume read_image_pages(const FileRequest& request);   ///< of one file
