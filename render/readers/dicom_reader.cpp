@@ -15,6 +15,7 @@
 #include "render/readers/voxel_header.h"
 #include "render/volume/convert.h"
 #include "render/volume/memory.h"
+#include "render/volume/orientation.h"
 
 namespace crest {
 namespace {
@@ -107,6 +108,7 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   volume.grid = {glm::ivec3(dims), geometry.spacing, geometry.origin};
   volume.direction = geometry.direction;
   add_note(volume.note, geometry.note);
+  add_note(volume.note, orientation_note(geometry.direction));
   note_values(slices, volume.note);
   volume.values.resize(volume.grid.point_count());
   const std::size_t points = dims.x * dims.y;

@@ -149,7 +149,7 @@ Volume read_image_pages(const FileRequest& request) {
 }
 
 Volume read_image_folder(const FileRequest& request) {
-  require_known_keys(request.name(), request.query, keys);
+  require_known_keys(request.name(), request.query, "component,spacing,origin,subtract");
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(request.path)) {
     if (is_image(entry.path())) files.push_back(entry.path().string());

@@ -217,7 +217,7 @@ void require_room(const std::string& name, const VoxelData& data, std::uint64_t 
         throw_short(name, data, bytes * files, held, "bytes (compressed)");
       break;
     case Encoding::decimal:
-      if (held < values * 2 - 1) throw_short(name, data, values, held, "numbers as text");
+      if (held < values * 2 - 1) throw_short(name, data, values * 2 - 1, held, "characters");
       break;
     case Encoding::hexadecimal:
       if (held < bytes * files * 2) throw_short(name, data, bytes * files * 2, held, "hexadecimal digits");

@@ -10,6 +10,7 @@
 #include "render/readers/select_one.h"
 #include "render/readers/subtract.h"
 #include "render/volume/memory.h"
+#include "render/volume/orientation.h"
 #include "render/volume/rounding.h"
 
 namespace crest {
@@ -106,6 +107,7 @@ Volume read_voxels(const FileRequest& request, const VoxelHeader& header, const 
   volume.file_type = header.type;
   volume.grid = {glm::ivec3(layout.dims), header.spacing, header.origin};
   volume.direction = header.direction;
+  add_note(volume.note, orientation_note(header.direction));
 
   const LinearMap map = subtracted(request, header.scaling, volume.note);
   std::vector<std::byte> bytes = fetch(selection.first, selection.count);

@@ -269,7 +269,7 @@ VtkLegacy scan_vtk_legacy(const fs::path& path) {
     throw Error(fmt::format("{}: not a legacy VTK file: it does not begin with \"# vtk DataFile\"", name));
   in.line();
   VtkLegacy file;
-  const std::string form = lower(in.line());
+  const std::string form = lower(in.word());  // empty lines may be before it
   if (form != "ascii" && form != "binary") in.fail("it is neither ASCII nor BINARY");
   file.is_text = form == "ascii";
   Sections sections(in, file);
