@@ -25,7 +25,7 @@ enum class FileForm {
   image_folder
 };
 
-/// What ITK and OpenImageIO do for Crest. They load some 260 libraries, which takes a third of a second: so
+/// What GDCM, OpenImageIO and others do for Crest. They load many libraries, which takes a while: so
 /// they live in a library of their own (render/files), which is loaded when it is first asked for.
 struct FileLibrary {
   /// Fills the grid, the values, the file's type, the direction and the note. Throws Error.

@@ -4,8 +4,8 @@
 
 namespace crest {
 
-/// Sends stderr to /dev/null for as long as this lives: NIfTI's and MetaIO's readers, GDCM, libpng and ITK
-/// itself each print on it in a way of their own. One thread at a time; the others wait.
+/// Sends stderr to /dev/null for as long as this lives: GDCM and OpenImageIO's libraries each
+/// print on it in a way of their own. One thread at a time; the others wait.
 class Silence {
  public:
   Silence();
