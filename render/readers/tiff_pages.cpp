@@ -22,18 +22,24 @@ int keep_message(TIFF*, void* kept, const char*, const char* format, va_list arg
   *static_cast<std::string*>(kept) = one_line(text);
   return 1;
 }
-int drop_message(TIFF*, void*, const char*, const char*, va_list) { return 1; }
+/// Lengths that are too short are a warning to the library, which then takes what follows the data for
+/// pixels.
+int keep_doubt(TIFF*, void* kept, const char*, const char* format, va_list) {
+  if (std::string_view(format).starts_with("Bogus")) *static_cast<bool*>(kept) = true;
+  return 1;
+}
 
 struct Close {
   void operator()(TIFF* tiff) const { TIFFClose(tiff); }
 };
 using TiffHandle = std::unique_ptr<TIFF, Close>;
 
-/// `fault` receives the library's messages as long as the file is open.
-TiffHandle open(const fs::path& file, std::string& fault) {
+/// `fault` receives the library's messages, and `doubt` whether lengths are wrong, as long as the file is
+/// open.
+TiffHandle open(const fs::path& file, std::string& fault, bool& doubt) {
   TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
   TIFFOpenOptionsSetErrorHandlerExtR(options, keep_message, &fault);
-  TIFFOpenOptionsSetWarningHandlerExtR(options, drop_message, nullptr);
+  TIFFOpenOptionsSetWarningHandlerExtR(options, keep_doubt, &doubt);
   TiffHandle tiff(TIFFOpenExt(file.c_str(), "rm", options));
   TIFFOpenOptionsFree(options);
   if (!tiff) throw Error(fmt::format("{}: not an image that can be read: {}", file.string(), fault));
@@ -103,7 +109,7 @@ void unpack_row(const std::byte* row, std::size_t count, const Page& page, std::
 class TiffFile : public PageFile {
  public:
   explicit TiffFile(const fs::path& file)
-      : file_(file), bytes_(fs::file_size(file)), tiff_(open(file, fault_)) {}
+      : file_(file), bytes_(fs::file_size(file)), tiff_(open(file, fault_, doubt_)) {}
 
   std::size_t pages() override {
     if (pages_ == 0) pages_ = TIFFNumberOfDirectories(tiff_.get());
@@ -132,6 +138,7 @@ class TiffFile : public PageFile {
   void read(std::size_t number, std::span<std::byte> out) override {
     const PageFormat as = format(number);
     const Page page = page_of(tiff_.get());
+    if (doubt_) fail(number, "its data is shorter than it promises");
     if (page.photometric == PHOTOMETRIC_YCBCR)
       TIFFSetField(tiff_.get(), TIFFTAG_JPEGCOLORMODE, JPEGCOLORMODE_RGB);
     const bool tiled = TIFFIsTiled(tiff_.get()) != 0;
@@ -194,6 +201,7 @@ class TiffFile : public PageFile {
 
   Page go_to(std::size_t number) {
     fault_.clear();
+    if (current_ != number) doubt_ = false;
     if (current_ != number && TIFFSetDirectory(tiff_.get(), tdir_t(number)) != 1) fail(number, fault_);
     current_ = number;
     return page_of(tiff_.get());
@@ -205,6 +213,7 @@ class TiffFile : public PageFile {
   fs::path file_;
   std::uint64_t bytes_;
   std::string fault_;
+  bool doubt_ = false;
   TiffHandle tiff_;
   std::size_t pages_ = 0, current_ = 0;
 };
@@ -215,7 +224,8 @@ std::unique_ptr<PageFile> open_tiff(const fs::path& file) { return std::make_uni
 
 TiffDescription describe_tiff(const fs::path& file) {
   std::string fault;
-  const TiffHandle tiff = open(file, fault);
+  bool doubt = false;
+  const TiffHandle tiff = open(file, fault, doubt);
   TiffDescription description;
   const char* text = nullptr;
   if (TIFFGetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text) description.text = text;
