@@ -11,31 +11,30 @@
 
 #include "app/commands.h"
 #include "presets/error.h"
+#include "presets/printable.h"
 
 namespace crest {
 namespace {
 
-/// One line on stderr, whatever the text was.
-void report(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  for (auto& c : text)
-    if (c == '\n') c = ' ';
-  fmt::print(stderr, "crest: {}\n", text);
+/// One line on stderr, whatever the text was, where there is a stderr.
+void report(std::string_view text) {
+  while (text.ends_with('\n')) text.remove_suffix(1);
+  const std::string line = "crest: " + printable(text) + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
-const CommandLine::Texts texts = {
-    .description = "Crest, a transfer-function design studio for volume rendering",
-    .version = "crest " CREST_VERSION,
-    .footer =
-        "VOLUME is a file (NRRD, MetaImage, NIfTI, MRC, VTK, RAW), a folder (a DICOM series or an image "
-        "stack), or\n"
-        "builtin:NAME?key=value&... (crest list volumes).\n"
-        "Examples:\n"
-        "  crest head.nrrd --preset dirac-shell\n"
-        "  crest render builtin:plume?n=128 --preset dirac-shell -o plume.png --json\n"
-        "  crest compare 'head.raw?size=64x64x93&type=int16' --preset my.json --set rendering.step=0.25 "
-        "-o modes.png\n"
-        "Exit codes: 0 done; 1 the work failed; 2 the command line is wrong."};
+constexpr const char* description =
+    "Crest: design transfer functions for volume rendering. Finds the peaks of a\n"
+    "transfer function, draws them as surfaces, compares what renderers make of it.";
+
+constexpr const char* usage =
+    "Examples:\n"
+    "  crest head.nrrd --preset dirac-shell\n"
+    "  crest render builtin:plume?n=128 --preset dirac-shell -o plume.png\n"
+    "  crest compare 'head.raw?size=64x64x93&type=int16' --preset my.json -o head.png\n"
+    "VOLUME is a file (NRRD, MetaImage, NIfTI, MRC, VTK, RAW), a folder (DICOM, image\n"
+    "stack), or builtin:NAME?key=value&... (crest list volumes).\n"
+    "Exit codes: 0 done; 1 the work failed; 2 the command line is wrong.\n\n";
 
 /// What was printed is out, or it is an error (a full disk).
 void flush_output() {
@@ -45,9 +44,9 @@ void flush_output() {
 
 }  // namespace
 
-int run_command_line(int argc, char** argv) {
+int run_command_line(int argc, char** argv, const std::string& version) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its writer
-  CommandLine line(texts);
+  CommandLine line({description, usage, "crest " + version});
   const Options options = line.options();
   Action chosen;
   add_studio(options, chosen);

@@ -9,7 +9,9 @@
 #include "app/offscreen_context.h"
 #include "app/picture.h"
 #include "app/picture_grid.h"
+#include "app/picture_output.h"
 #include "app/scene_options.h"
+#include "app/sources.h"
 #include "presets/json.h"
 #include "presets/names.h"
 #include "render/files/load.h"
@@ -78,8 +80,8 @@ void compare_modes(const CompareOptions& options) {
   std::vector<LabelledImage> labelled;
   for (LabelledPicture& picture : comparison.pictures)
     labelled.push_back({std::move(picture.image), picture.label});
-  write_image(options.picture.output, picture_grid(labelled, 2, preset.rendering.background),
-              preset.rendering.background);
+  write_picture(options.picture, picture_grid(labelled, 2, preset.rendering.background),
+                preset.rendering.background);
   std::vector<std::string> warnings, notes;
   for (const auto& picture : comparison.pictures) {
     warnings.insert(warnings.end(), picture.warnings.begin(), picture.warnings.end());
@@ -96,11 +98,17 @@ void compare_modes(const CompareOptions& options) {
 
 void add_compare_command(Options app, Action& chosen) {
   auto options = std::make_shared<CompareOptions>();
-  Options command = app.add_command("compare", "Render the four modes side by side, labelled");
-  command.add("VOLUME", options->scene.volume, "What to render (crest --help)").required();
+  Options command = app.add_command("compare", "Render the four modes side by side, labelled", "Pictures");
+  command.add("VOLUME", options->scene.volume, "What to render (crest --help)")
+      .required()
+      .offers(builtin_sources());
   options->scene.add_to(command);
   options->picture.add_to(command);
-  command.when_read([options, &chosen] { chosen = [options] { compare_modes(*options); }; });
+  command.add_example("crest compare builtin:plume --preset fire --step 0.25 -o fire.png --json");
+  command.when_read([options, &chosen] {
+    options->picture.check();
+    chosen = [options] { compare_modes(*options); };
+  });
 }
 
 }  // namespace crest

@@ -8,12 +8,14 @@
 #include "app/export_preview.h"
 #include "app/offscreen_context.h"
 #include "app/scene_options.h"
+#include "app/sources.h"
 #include "presets/error.h"
 #include "presets/exchange/exporters.h"
 #include "presets/exchange/table.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
 #include "presets/preset_file.h"
+#include "presets/printable.h"
 #include "render/files/load.h"
 #include "render/scene/export_input.h"
 
@@ -37,8 +39,8 @@ int rows_of(const std::string& samples) {
 }
 
 void say(const Exporter& exporter, const Exported& exported, const std::optional<ExportPreview>& preview) {
-  for (const std::string& sentence : exported.losses) fmt::print(stderr, "lost: {}\n", sentence);
-  for (const std::string& sentence : exported.advice) fmt::print(stderr, "there: {}\n", sentence);
+  for (const std::string& sentence : exported.losses) fmt::print(stderr, "lost: {}\n", printable(sentence));
+  for (const std::string& sentence : exported.advice) fmt::print(stderr, "there: {}\n", printable(sentence));
   if (preview)
     fmt::print(stderr,
                "preview: {} beside Crest: RMSE {:.3g}, largest difference {:.3g}, {:.3g} % of the pixels off "
@@ -96,26 +98,24 @@ void export_preset(const ExportCommandOptions& options) {
 
 void add_export_command(Options app, Action& chosen) {
   auto options = std::make_shared<ExportCommandOptions>();
-  Options command = app.add_command("export", "Write a preset for another program");
+  Options command = app.add_command("export", "Write a preset for another program", "Presets elsewhere");
   std::string formats;
-  for (const Exporter& exporter : exporters())
-    formats += fmt::format("\n{}: {}", exporter.name, exporter.summary);
-  command.add("PRESET", options->preset, "A preset's file, or its name in the library").required();
-  command.add("--to", options->format, "Format:" + formats)
+  std::vector<std::string> names;
+  for (const Exporter& exporter : exporters()) {
+    formats += fmt::format("{}: {}\n", exporter.name, exporter.summary);
+    names.emplace_back(exporter.name);
+  }
+  command.add("PRESET", options->preset, "A preset's file, or its name in the library")
       .required()
-      .type_name("FORMAT")
-      .check([](const std::string& name) {
-        try {
-          find_exporter(name);
-          return std::string();
-        } catch (const Error& error) {
-          return std::string(error.what());
-        }
-      });
+      .offers(library_names());
+  command.add("--to", options->format, formats + "One of").required().type_name("FORMAT").one_of(names);
   command.add("-o,--output", options->output, "The file to write").required().type_name("FILE");
-  command.add("--volume", options->volume,
-              "The volume for which it is written: gives a normalized preset values, scripts "
-              "a file and a camera");
+  command
+      .add("--volume", options->volume,
+           "The volume for which it is written: gives a normalized preset values, scripts "
+           "a file and a camera")
+      .type_name("VOLUME")
+      .offers(builtin_sources());
   command
       .add("--samples", options->samples, "Rows of a table; auto: the fewest that hold all points to 1/255")
       .type_name("N|auto")
@@ -130,6 +130,8 @@ void add_export_command(Options app, Action& chosen) {
       .type_name("PICTURE");
   command.add_flag("--json", options->json,
                    "Say on the standard output as JSON what is lost, and what to do there");
+  command.add_example("crest export my.json --to paraview-script --volume head.nrrd -o my.py");
+  command.add_example("crest export smooth-haze --to csv --samples 256 --volume head.nrrd -o haze.csv");
   command.when_read([options, &chosen] {
     rows_of(options->samples);
     chosen = [options] { export_preset(*options); };

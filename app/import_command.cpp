@@ -1,11 +1,13 @@
 #include <fmt/core.h>
 
 #include "app/commands.h"
+#include "app/sources.h"
 #include "presets/error.h"
 #include "presets/exchange/importers.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
 #include "presets/preset_file.h"
+#include "presets/printable.h"
 #include "render/files/load.h"
 
 namespace crest {
@@ -29,7 +31,7 @@ void list_names(const std::vector<Imported>& all, bool as_json) {
                       {"colors", one.has_colors},
                       {"opacities", one.has_opacities}});
     else
-      fmt::print("{}\n", one.preset.name);
+      fmt::print("{}\n", printable(one.preset.name));
   }
   if (as_json) fmt::print("{}\n", pretty(json));
 }
@@ -61,29 +63,34 @@ void import_file(const ImportOptions& options) {
   if (options.json)
     fmt::print("{}\n", pretty({{"file", options.output}, {"name", preset.name}, {"notes", chosen.notes}}));
   else
-    for (const std::string& note : chosen.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : chosen.notes) fmt::print(stderr, "note: {}\n", printable(note));
 }
 
 }  // namespace
 
 void add_import_command(Options app, Action& chosen) {
   auto options = std::make_shared<ImportOptions>();
-  Options command = app.add_command("import", "Read another program's transfer function");
+  Options command =
+      app.add_command("import", "Read another program's transfer function", "Presets elsewhere");
   std::string formats;
   for (const Importer& importer : importers()) formats += fmt::format("\n{}", importer.summary);
   command.add("FILE", options->file, "The file to read:" + formats).required();
   command.add("-o,--output", options->output, "The preset to write").type_name("PRESET");
   command.add("--name", options->name, "Which one, where the file has several");
   command.add_flag("--list", options->list, "Only print the names of what is in the file");
-  command.add("--take", options->take, "What of it: both, colors, opacities")
-      .one_of({"both", "colors", "opacities"})
-      .shows_default();
-  command.add("--onto", options->onto, "The preset that gives the rest").type_name("PRESET");
-  command.add("--volume", options->volume, "Write it in this volume's values and units");
+  command.add("--take", options->take, "What of it").one_of({"both", "colors", "opacities"}).shows_default();
+  command.add("--onto", options->onto, "The preset that gives the rest")
+      .type_name("PRESET")
+      .offers(library_names());
+  command.add("--volume", options->volume, "Write it in this volume's values and units")
+      .type_name("VOLUME")
+      .offers(builtin_sources());
   command.add_flag(
       "--fit", options->fit,
       "Lay its values over the range of --onto's points, or of the volume, as ParaView does with its maps");
   command.add_flag("--json", options->json, "Say on the standard output as JSON what was read");
+  command.add_example("crest import CT-Bone.vp.json -o my.json");
+  command.add_example("crest import presets.xml --list");
   command.when_read([options, &chosen] { chosen = [options] { import_file(*options); }; });
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "app/commands.h"
+#include "app/sources.h"
 #include "presets/atomic_file.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
@@ -69,8 +70,8 @@ void print_info(const InfoOptions& options) {
 
 void add_info_command(Options app, Action& chosen) {
   auto options = std::make_shared<InfoOptions>();
-  Options command = app.add_command("info", "Print what a volume holds, as JSON");
-  command.add("VOLUME", options->volume, "What to read (crest --help)").required();
+  Options command = app.add_command("info", "Print what a volume holds, as JSON", "Look");
+  command.add("VOLUME", options->volume, "What to read (crest --help)").required().offers(builtin_sources());
   command.add("--bins", options->bins, "Bins of the histogram").in(1, 65536).shows_default();
   command
       .add("--by-value", options->by_value,
@@ -79,6 +80,7 @@ void add_info_command(Options app, Action& chosen) {
   command.add_flag("--suggest-peaks", options->suggest_peaks,
                    "Add the values at which the mean gradient is highest");
   command.add_flag("--json", options->json, "JSON is the only form there is");
+  command.add_example("crest info head.nrrd --suggest-peaks --by-value head.csv");
   command.when_read([options, &chosen] { chosen = [options] { print_info(*options); }; });
 }
 

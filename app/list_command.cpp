@@ -1,7 +1,10 @@
 #include <fmt/core.h>
 
 #include "app/commands.h"
+#include "app/completions.h"
+#include "app/man_page.h"
 #include "app/offscreen_context.h"
+#include "app/option_help.h"
 #include "presets/error.h"
 #include "presets/exchange/exporters.h"
 #include "presets/names.h"
@@ -56,23 +59,50 @@ void list_presets() {
 
 }  // namespace
 
+namespace {
+
+struct ListOptions {
+  std::string what, shell;
+  bool json = false;
+};
+
+void print_list(const ListOptions& options, const OptionTable& table) {
+  const std::string& what = options.what;
+  if (what == "volumes") list_volumes();
+  if (what == "formats") list_formats();
+  if (what == "methods") list_methods();
+  if (what == "presets") list_presets();
+  if (what == "devices") list_graphics_devices();
+  if (what == "schema") fmt::print("{}", preset_schema());
+  if (what == "options") fmt::print("{}", options.json ? options_json(table) : manual_page(table));
+  if (what == "man") fmt::print("{}", man_page(table));
+  if (what == "completions") fmt::print("{}", completions(table, options.shell));
+}
+
+}  // namespace
+
 void add_list_command(Options app, Action& chosen) {
-  auto what = std::make_shared<std::string>();
-  Options command = app.add_command(
-      "list",
-      "List what there is: volumes, formats, methods, presets or devices; or the JSON Schema of a preset");
-  command.add("WHAT", *what, "What to list")
+  auto options = std::make_shared<ListOptions>();
+  Options command =
+      app.add_command("list", "List volumes, formats, methods, presets, devices and more", "Look");
+  command
+      .add("WHAT", options->what,
+           "What to list; schema is a preset's JSON Schema, options are those of all commands as the manual "
+           "has "
+           "them, man is the man page, completions are a shell's")
       .required()
-      .one_of({"volumes", "formats", "methods", "presets", "devices", "schema"});
-  command.when_read([what, &chosen] {
-    chosen = [what] {
-      if (*what == "volumes") list_volumes();
-      if (*what == "formats") list_formats();
-      if (*what == "methods") list_methods();
-      if (*what == "presets") list_presets();
-      if (*what == "devices") list_graphics_devices();
-      if (*what == "schema") fmt::print("{}", preset_schema());
-    };
+      .one_of(
+          {"volumes", "formats", "methods", "presets", "devices", "schema", "options", "man", "completions"});
+  command.add("--for", options->shell, "Of completions: the shell")
+      .one_of({"bash", "zsh", "fish"})
+      .type_name("SHELL");
+  command.add_flag("--json", options->json, "Of options: as JSON");
+  command.add_example("crest list presets");
+  command.add_example("crest list completions --for bash > ~/.local/share/bash-completion/completions/crest");
+  command.when_read([options, app, &chosen] {
+    if (options->what == "completions" && options->shell.empty())
+      throw UsageError("--for", "say for which shell: bash, zsh or fish");
+    chosen = [options, app] { print_list(*options, app.table()); };
   });
 }
 

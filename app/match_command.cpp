@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "app/commands.h"
+#include "app/sources.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
 #include "presets/preset_file.h"
@@ -37,10 +38,19 @@ void match(const MatchOptions& options) {
 
 void add_match_command(Options app, Action& chosen) {
   auto options = std::make_shared<MatchOptions>();
-  Options command = app.add_command("match", "Carry a preset's transfer function from one volume to another");
-  command.add("PRESET", options->preset, "A preset's file, or its name in the library").required();
-  command.add("--from", options->from, "The volume that it was made for").required().type_name("VOLUME");
-  command.add("--to", options->to, "The volume that it is to fit").required().type_name("VOLUME");
+  Options command = app.add_command("match", "Carry a preset's transfer function from one volume to another",
+                                    "Presets elsewhere");
+  command.add("PRESET", options->preset, "A preset's file, or its name in the library")
+      .required()
+      .offers(library_names());
+  command.add("--from", options->from, "The volume that it was made for")
+      .required()
+      .type_name("VOLUME")
+      .offers(builtin_sources());
+  command.add("--to", options->to, "The volume that it is to fit")
+      .required()
+      .type_name("VOLUME")
+      .offers(builtin_sources());
   command.add("-o,--output", options->output, "The preset to write").required().type_name("PRESET");
   command
       .add("--by", options->by,
@@ -48,6 +58,7 @@ void add_match_command(Options app, Action& chosen) {
       .one_of({"histogram", "range"})
       .shows_default();
   command.add_flag("--json", options->json, "Say on the standard output as JSON where each point went");
+  command.add_example("crest match four-peaks --from builtin:noise --to builtin:gyroid -o gyroid.json");
   command.when_read([options, &chosen] { chosen = [options] { match(*options); }; });
 }
 

@@ -5,7 +5,10 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "app/option_table.h"
 
 namespace CLI {
 class App;
@@ -25,13 +28,15 @@ class UsageError : public std::runtime_error {
 /// One option of a command, to be described further.
 class Option {
  public:
-  explicit Option(CLI::Option* option) : option_(option) {}
+  Option(CLI::Option* option, OptionRow* row) : option_(option), row_(row) {}
 
   Option& required();
   Option& type_name(const std::string& name);  ///< what the help calls its value
   Option& shows_default();                     ///< in the help
   Option& in(int least, int greatest);
   Option& one_of(const std::vector<std::string>& words);
+  /// Values that completions offer; it may have others.
+  Option& offers(const std::vector<std::string>& words);
   Option& existing_folder();
   Option& not_empty();
   /// `why_not` tells what is wrong with a value; nothing where it is right.
@@ -42,15 +47,19 @@ class Option {
 
  private:
   CLI::Option* option_;
+  OptionRow* row_;
 };
 
-/// The options of the program or of one of its commands: a thin layer over CLI11, whose header alone takes 9
-/// s to compile.
+/// The options of the program or of one of its commands: rows of the table, and beside it a thin layer over
+/// CLI11, whose header alone takes 9 s to compile.
 class Options {
  public:
-  explicit Options(CLI::App* app) : app_(app) {}
+  Options(CLI::App* app, OptionTable* table, CommandRow* command)
+      : app_(app), table_(table), command_(command) {}
 
-  Options add_command(const std::string& name, const std::string& help);
+  /// Without a group the program's help does not list it.
+  Options add_command(const std::string& name, const std::string& help, const std::string& group = "");
+  void add_example(const std::string& line);  ///< to the command's help
   // The values must live until the command line was read. Names are as "-o,--output", or "VOLUME" for what
   // has no dashes.
   Option add(const std::string& names, std::string& value, const std::string& help);
@@ -62,18 +71,21 @@ class Options {
 
   bool is_given(const std::string& name) const;
   bool has_command() const;  ///< whether one of its commands is chosen
-  /// The command with its options, as a shell would be given them.
+  /// The command with its options, as a shell would be given them; with those of the config file.
   std::string text() const;
+  const OptionTable& table() const { return *table_; }
 
  private:
   CLI::App* app_;
+  OptionTable* table_;
+  CommandRow* command_;
 };
 
 /// The whole command line: the program's own options, and those of its commands.
 class CommandLine {
  public:
   struct Texts {
-    std::string description, version, footer;  ///< of the help; of --version
+    std::string description, usage, version;  ///< of the help; of --version
   };
   explicit CommandLine(const Texts& texts);
   ~CommandLine();
@@ -85,9 +97,14 @@ class CommandLine {
 
  private:
   std::unique_ptr<CLI::App> app_;
+  OptionTable table_;
+  std::string version_;
 };
 
 /// A word as a shell would be given it.
 std::string shell_word(const std::string& word);
+
+/// What is wrong with a value for this row; nothing where it is right.
+std::string why_not(const OptionRow& row, const std::string& value);
 
 }  // namespace crest

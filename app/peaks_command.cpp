@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "app/sources.h"
 #include "presets/json.h"
 #include "presets/preset_file.h"
 #include "render/classify/classification.h"
@@ -76,11 +77,16 @@ void print_peaks(const PeaksOptions& options) {
 
 void add_peaks_command(Options app, Action& chosen) {
   auto options = std::make_shared<PeaksOptions>();
-  Options command = app.add_command("peaks", "Print a preset's peaks and its peak table, as JSON");
-  command.add("PRESET", options->preset, "A preset's file, or its name in the library").required();
-  command.add("--volume", options->volume, "Values and range of this volume; without it the TF's own points");
+  Options command = app.add_command("peaks", "Print a preset's peaks and its peak table, as JSON", "Look");
+  command.add("PRESET", options->preset, "A preset's file, or its name in the library")
+      .required()
+      .offers(library_names());
+  command.add("--volume", options->volume, "Values and range of this volume; without it the TF's own points")
+      .type_name("VOLUME")
+      .offers(builtin_sources());
   command.add("--bins", options->bins, "Bins of the table; without it as the preset says").in(1, 4096);
   command.add_flag("--json", options->json, "JSON is the only form there is");
+  command.add_example("crest peaks four-peaks --volume builtin:gyroid --bins 64");
   command.when_read([options, &chosen] { chosen = [options] { print_peaks(*options); }; });
 }
 

@@ -6,6 +6,7 @@
 
 #include "presets/json.h"
 #include "presets/names.h"
+#include "presets/printable.h"
 #include "render/measure/tiles.h"
 #include "render/measure/timing.h"
 #include "render/notes.h"
@@ -50,7 +51,7 @@ namespace {
 void print_each_once(const char* kind, const std::vector<std::string>& sentences) {
   for (auto sentence = sentences.begin(); sentence != sentences.end(); ++sentence)
     if (std::find(sentences.begin(), sentence, *sentence) == sentence)
-      fmt::print(stderr, "crest: {}: {}\n", kind, *sentence);
+      fmt::print(stderr, "crest: {}: {}\n", kind, printable(*sentence));
 }
 
 }  // namespace

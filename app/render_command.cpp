@@ -1,14 +1,21 @@
 #include <fmt/core.h>
 
+#include <chrono>
+#include <thread>
+
 #include "app/auto_choice.h"
 #include "app/cache_folder.h"
 #include "app/commands.h"
 #include "app/exact_picture.h"
+#include "app/file_watch.h"
 #include "app/offscreen_context.h"
 #include "app/picture.h"
 #include "app/picture_maker.h"
+#include "app/picture_output.h"
 #include "app/preset_source.h"
+#include "app/progress.h"
 #include "app/scene_options.h"
+#include "app/sources.h"
 #include "presets/json.h"
 #include "render/files/load.h"
 #include "render/measure/probe_scene.h"
@@ -26,7 +33,8 @@ struct RenderOptions {
   std::string error_bound;  ///< where to write it; empty: nowhere
   AutoOptions automatic;
   int turntable = 1;  ///< pictures of one turn
-  Preset preset;      ///< which the pictures keep
+  bool watch = false;
+  Preset preset;  ///< which the pictures keep
 };
 
 /// How far each pixel may be off: as it is for an .exr, else in the colours of all error pictures.
@@ -48,8 +56,7 @@ MeasuredPicture draw_and_write(Renderer& renderer, const Scene& scene, const Cam
   const std::filesystem::path bound_file = all.error_bound;
   const bool counts = options.json || !bound_file.empty();
   auto picture = measure_pictures(renderer, {scene}, camera, options.pixels(), options.frames, counts)[0];
-  write_image(options.output, picture.image, scene.rendering.background,
-              preset_for_picture(all.preset, camera));
+  write_picture(options, picture.image, scene.rendering.background, preset_for_picture(all.preset, camera));
   if (!bound_file.empty())
     write_image(bound_file,
                 error_bound_picture(picture.error_bounds, options.pixels(), bound_file.extension() != ".exr"),
@@ -80,8 +87,8 @@ void render_turn(const Scene& scene, const Camera& camera, const RenderOptions& 
 void render_on_cpu(const Scene& scene, const Camera& camera, const RenderOptions& render_options) {
   const PictureOptions& options = render_options.picture;
   const auto picture = render_exact_pictures({scene}, camera, options.pixels(), options.output)[0];
-  write_image(options.output, picture.reference.image(), scene.rendering.background,
-              preset_for_picture(render_options.preset, camera));
+  write_picture(options, picture.reference.image(), scene.rendering.background,
+                preset_for_picture(render_options.preset, camera));
   print_warnings(picture.warnings);
   print_notes(picture.notes);
   if (options.json) print_statistics(statistics_json(picture, scene), exact_renderer);
@@ -105,7 +112,8 @@ void render_as_chosen(Scene scene, const Camera& camera, const RenderOptions& al
         fmt::format("--auto: what early_termination {:g} leaves out is not in the error foretold", residual));
   print_notes(notes);
   if (!options.json) {
-    fmt::print("{}\n", choice_line(choice, settings.target, median(picture.frame_ms)));
+    fmt::print(options.is_to_stdout() ? stderr : stdout, "{}\n",
+               choice_line(choice, settings.target, median(picture.frame_ms)));
     return;
   }
   auto json = statistics_json(picture, *renderer, scene);
@@ -113,9 +121,15 @@ void render_as_chosen(Scene scene, const Camera& camera, const RenderOptions& al
   print_statistics(json, context.renderer());
 }
 
-void render_picture(RenderOptions options) {
-  const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
-  const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
+using SharedVolume = std::shared_ptr<const Volume>;
+
+SharedVolume read_volume(const RenderOptions& options) {
+  options.picture.pixels();  // a wrong size is found before any work
+  return std::make_shared<const Volume>(load_volume(options.scene.volume));
+}
+
+void render_picture(RenderOptions options, const SharedVolume& volume) {
+  const double aspect = aspect_of(options.picture.pixels());
   const Preset preset = options.picture.with_exact(options.scene.read_preset(*volume, aspect));
   if (!options.error_bound.empty() && !is_exact(preset.rendering))
     throw UsageError("--error-bound", "only the exact march knows how far it may be off: add --exact");
@@ -124,16 +138,49 @@ void render_picture(RenderOptions options) {
   options.preset = preset;
   if (options.turntable > 1) return render_turn(scene, camera, options);
   if (options.automatic.is_on) return render_as_chosen(scene, camera, options);
+  if (options.watch && preset.rendering.engine == Engine::reference)
+    throw UsageError("--watch", "the exact answer on the CPU takes too long for it: another --engine");
   const auto render = preset.rendering.engine == Engine::reference ? render_on_cpu : render_on_gpu;
   render(scene, camera, options);
+}
+
+/// Once more whenever the preset's or the volume's file has changed, until Ctrl-C.
+void render_and_watch(const RenderOptions& options) {
+  constexpr std::chrono::milliseconds between_looks{100};
+  FileWatch preset_watch, volume_watch;
+  const auto preset_file = files_of(options.scene.preset), volume_file = files_of(options.scene.volume);
+  if (preset_file.empty() && volume_file.empty())
+    throw UsageError("--watch", "neither the preset nor the volume is a file that could change");
+  preset_watch.has_changed(preset_file);
+  volume_watch.has_changed(volume_file);
+  const Interrupt interrupt;
+  const auto draw = [&](const SharedVolume& volume) {
+    render_picture(options, volume);
+    fmt::print(stderr, "crest: {} is drawn; waiting for changes (Ctrl-C ends)\n", options.picture.output);
+  };
+  SharedVolume volume = read_volume(options);
+  draw(volume);
+  while (!interrupt.is_requested()) {
+    std::this_thread::sleep_for(between_looks);
+    const bool is_volume_new = volume_watch.has_changed(volume_file);
+    if (!preset_watch.has_changed(preset_file) && !is_volume_new) continue;
+    try {
+      if (is_volume_new) volume = read_volume(options);
+      draw(volume);
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "crest: {}\n", error.what());  // what was drawn last stays
+    }
+  }
 }
 
 }  // namespace
 
 void add_render_command(Options app, Action& chosen) {
   auto options = std::make_shared<RenderOptions>();
-  Options command = app.add_command("render", "Render one picture");
-  command.add("VOLUME", options->scene.volume, "What to render (crest --help)").required();
+  Options command = app.add_command("render", "Render one picture", "Pictures");
+  command.add("VOLUME", options->scene.volume, "What to render (crest --help)")
+      .required()
+      .offers(builtin_sources());
   options->scene.add_to(command);
   options->picture.add_to(command);
   command
@@ -146,8 +193,16 @@ void add_render_command(Options app, Action& chosen) {
            "So many pictures of one turn about what the camera looks at: OUTPUT-001.png, ...")
       .in(1, 3600)
       .type_name("N");
+  command.add_flag("--watch", options->watch,
+                   "Draw it again whenever the preset's or the volume's file changes, until Ctrl-C");
   options->automatic.add_to(command);
+  command.add_example("crest render builtin:plume --preset dirac-shell -o plume.png");
+  command.add_example("crest render head.nrrd --preset my.json --mode PEAK_ONLY --size 800x600 -o head.exr");
+  command.add_example("crest render builtin:sphere --preset onion --eye -2,-4,1.5 --up 0,0,1 -o onion.png");
   command.when_read([options, &chosen] {
+    options->picture.check();
+    if (options->picture.is_to_stdout() && (options->turntable > 1 || options->watch))
+      throw UsageError(options->watch ? "--watch" : "--turntable", "the standard output takes one picture");
     options->automatic.check(options->scene);
     if (const std::filesystem::path bound = options->error_bound;
         !bound.empty() && bound.extension() != ".png" && bound.extension() != ".exr")
@@ -159,7 +214,12 @@ void add_render_command(Options app, Action& chosen) {
     if (options->turntable > 1 &&
         (options->picture.json || !options->error_bound.empty() || options->automatic.is_on))
       throw UsageError("--turntable", "takes pictures alone: without --json, --error-bound and --auto");
-    chosen = [options] { render_picture(*options); };
+    chosen = [options] {
+      if (options->watch)
+        render_and_watch(*options);
+      else
+        render_picture(*options, read_volume(*options));
+    };
   });
 }
 

@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "app/preset_source.h"
+#include "app/sources.h"
 #include "presets/error.h"
 #include "presets/names.h"
 #include "presets/number_text.h"
@@ -29,6 +30,13 @@ std::string triple(const std::string& path, const std::string& text) {
   return fmt::format("{}=[{}]", path, array);
 }
 
+template <NamedEnum T>
+std::vector<std::string> words_of() {
+  std::vector<std::string> names;
+  for (const auto& named : names_of<T>()) names.emplace_back(named.name);
+  return names;
+}
+
 /// The preset with one field as an option says. A wrong field or value is a fault of the command line.
 Preset with_field(const Preset& preset, const char* option, const std::string& assignment) {
   try {
@@ -42,21 +50,24 @@ Preset with_field(const Preset& preset, const char* option, const std::string& a
 
 void SceneOptions::add_to(Options options) {
   options
-      .add(
-          "--preset", preset,
-          "A preset's file, its name in the library (crest list presets), or a picture that was made with it")
-      .type_name("FILE");
-  options.add("--mode", mode, "What a ray collects: " + name_list<Mode>()).type_name("MODE");
-  options.add("--engine", engine, "What renders: " + name_list<Engine>()).type_name("ENGINE");
-  options
-      .add("--illumination", illumination, "What a sample contributes to its ray: " + name_list<BlendMode>())
-      .type_name("NAME");
+      .add("--preset", preset,
+           "A preset's file, its name in the library (crest list presets), or a picture that was made with "
+           "it; - is the "
+           "standard input")
+      .type_name("PRESET")
+      .offers(library_names());
+  options.add("--mode", mode, "What a ray collects").type_name("MODE").one_of(words_of<Mode>());
+  options.add("--engine", engine, "What renders").type_name("ENGINE").one_of(words_of<Engine>());
+  options.add("--illumination", illumination, "What a sample contributes to its ray")
+      .type_name("NAME")
+      .one_of(words_of<BlendMode>());
   options.add("--step", step, "Step length, in units of the smallest spacing").type_name("STEP");
   options.add("--eye", eye, "Camera: where the eye is (world units)").type_name("X,Y,Z");
   options.add("--target", target, "Camera: what it looks at").type_name("X,Y,Z");
   options.add("--up", up, "Camera: what is up").type_name("X,Y,Z");
   options.add("--fov", fov, "Camera: vertical field of view in degrees").type_name("DEG");
-  options.add("--set", sets, "Sets any field of the preset by its JSON path: --set rendering.step=0.5")
+  options.add("--projection", projection, "Camera: " + name_list<Projection>()).type_name("NAME");
+  options.add("--set", sets, "Sets any field of the preset by its JSON path, as rendering.step=0.5")
       .type_name("PATH=VALUE")
       .one_value_each();  // one value each: what follows is VOLUME
   options.add_flag("--fit-range", fit_range, "Map the transfer function's span onto the volume's range");
@@ -65,8 +76,9 @@ void SceneOptions::add_to(Options options) {
 bool SceneOptions::has_any() const {
   const auto is_given = [](const std::string& text) { return !text.empty(); };
   return fit_range || !sets.empty() ||
-         std::ranges::any_of(std::array{preset, mode, engine, illumination, step, eye, target, up, fov},
-                             is_given);
+         std::ranges::any_of(
+             std::array{preset, mode, engine, illumination, step, eye, target, up, fov, projection},
+             is_given);
 }
 
 Preset SceneOptions::read_preset() const {
@@ -97,16 +109,18 @@ Preset SceneOptions::with_camera(Preset result) const {
   set_if("--target", target, triple("camera.target", target));
   set_if("--up", up, triple("camera.up", up));
   set_if("--fov", fov, "camera.fov_y_degrees=" + fov);
+  set_if("--projection", projection, "camera.projection=" + projection);
   return result;
 }
 
 Preset SceneOptions::for_volume(Preset result, const Volume& loaded, double aspect) const {
-  if (!eye.empty() || !target.empty() || !up.empty() || !fov.empty()) {
+  if (!eye.empty() || !target.empty() || !up.empty() || !fov.empty() || !projection.empty()) {
     const bool is_fitted = !result.camera && eye.empty() && target.empty();
     result.camera = camera_of(result, loaded.grid, aspect);
     result = with_camera(std::move(result));
     if (is_fitted) {
-      const Camera whole = whole_volume_camera(loaded.grid, aspect, result.camera->fov_y_degrees);
+      const Camera whole =
+          whole_volume_camera(loaded.grid, aspect, result.camera->fov_y_degrees, result.camera->projection);
       result.camera->eye = whole.eye;
       result.camera->target = whole.target;
     }
@@ -122,9 +136,14 @@ Preset SceneOptions::read_preset(const Volume& loaded, double aspect) const {
 }
 
 void PictureOptions::add_to(Options options) {
-  options.add("-o,--output", output, "The picture: .png (8 bit over the background) or .exr (32-bit float)")
+  options
+      .add("-o,--output", output,
+           "The picture: .png (8 bit over the background) or .exr (32-bit float); - is the standard output")
       .required()
       .type_name("FILE");
+  options.add("--format", format, "Of the picture, whatever its name; of the standard output png without it")
+      .type_name("FORMAT")
+      .one_of({"png", "exr"});
   options.add("--size", size, "Width x height in pixels").shows_default().type_name("WxH");
   options.add("--frames", frames, "Frames to time; the statistics have their median")
       .in(1, 100000)
@@ -133,6 +152,11 @@ void PictureOptions::add_to(Options options) {
   options.add_flag("--exact", exact,
                    "By the exact march: no crossing missed, whatever the preset's step and classification");
   options.add_flag("--json", json, "Print statistics as JSON");
+}
+
+void PictureOptions::check() const {
+  if (is_to_stdout() && json)
+    throw UsageError("--json", "the picture goes to the standard output: without --json, or -o FILE");
 }
 
 Preset PictureOptions::with_exact(Preset preset, bool in_all_modes) const {

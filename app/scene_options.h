@@ -14,11 +14,14 @@ namespace crest {
 /// The options that say what is rendered, and how: those of `render`, `compare` and the studio.
 struct SceneOptions {
   std::string volume, preset;
-  std::string mode, engine, illumination, step, eye, target, up, fov;  ///< as typed; empty where not given
-  std::vector<std::string> sets;                                       ///< PATH=VALUE
+  /// As typed; empty where not given.
+  std::string mode, engine, illumination, step, eye, target, up, fov, projection;
+  std::vector<std::string> sets;  ///< PATH=VALUE
   bool fit_range = false;
 
   void add_to(Options options);
+  /// Whether the preset is read from the standard input, which can be done once.
+  bool is_preset_from_stdin() const { return preset == "-"; }
   bool has_any() const;  ///< whether anything but the volume was said
 
   /// The preset with what was said on the command line and holds for every volume; without --preset, one with
@@ -40,11 +43,14 @@ glm::ivec2 pixels_of(const std::string& size);
 
 /// The options of a picture.
 struct PictureOptions {
-  std::string size = "512x512", output;
+  std::string size = "512x512", output, format;  ///< of the file; empty: as its name ends
   int device = -1, frames = 1;
   bool json = false, exact = false;
 
   void add_to(Options options);
+  bool is_to_stdout() const { return output == "-"; }
+  /// Throws UsageError where two things would go to the standard output.
+  void check() const;
   /// The preset, by the exact march where that is asked for. Throws UsageError where it does not draw what
   /// the settings mean.
   Preset with_exact(Preset preset, bool in_all_modes = false) const;

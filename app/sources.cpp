@@ -1,12 +1,34 @@
 #include "app/sources.h"
 
-#include <filesystem>
+#include <fmt/core.h>
+
+#include "presets/preset_file.h"
+#include "render/volume/builtin.h"
 
 namespace crest {
 
 std::string absolute_source(const std::string& source) {
   if (source.empty() || source.starts_with("builtin:")) return source;
   return std::filesystem::absolute(source).lexically_normal().string();  // a query at the end stays there
+}
+
+std::vector<std::filesystem::path> files_of(const std::string& source) {
+  std::error_code ignored;
+  for (const std::string& name : {source, source.substr(0, source.find('?'))})
+    if (std::filesystem::exists(name, ignored)) return {name};
+  return {};
+}
+
+std::vector<std::string> builtin_sources() {
+  std::vector<std::string> sources;
+  for (const Builtin& builtin : builtins()) sources.push_back(fmt::format("builtin:{}", builtin.name));
+  return sources;
+}
+
+std::vector<std::string> library_names() {
+  std::vector<std::string> names;
+  for (const LibraryPreset& preset : library()) names.emplace_back(preset.name);
+  return names;
 }
 
 }  // namespace crest

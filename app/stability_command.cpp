@@ -77,7 +77,8 @@ void run_stability(const StabilityOptions& options) {
 
 void add_stability_command(Options app, Action& chosen) {
   auto options = std::make_shared<StabilityOptions>();
-  Options command = app.add_command("stability", "Stiff and extreme cases: what is kept, and what is not");
+  Options command =
+      app.add_command("stability", "Stiff and extreme cases: what is kept, and what is not", "Measure");
   command.add("-o,--output", options->output, "The folder for stability.json and stability.html")
       .not_empty()
       .type_name("DIR");
@@ -86,6 +87,7 @@ void add_stability_command(Options app, Action& chosen) {
       .type_name("WxH");
   command.add("--device", options->device, "Graphics device (crest list devices); hardware first by default");
   command.add_flag("--json", options->json, "Print the table as JSON");
+  command.add_example("crest stability -o stability");
   command.when_read([options, &chosen] { chosen = [options] { run_stability(*options); }; });
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/cache_folder.h"
+#include "app/manual.h"
 #include "app/user_folders.h"
 #include "render/scene/camera.h"
 #include "render/scene/exact.h"
@@ -34,6 +35,25 @@ Studio::Studio(Document document, FitPreset fit, std::filesystem::path shader_fo
 void Studio::say(std::string text, bool is_error) {
   message_ = std::move(text);
   message_is_error_ = is_error;
+}
+
+void Studio::use_settings(const ReadSettings& read) {
+  ui_->settings = kept_settings_ = read.settings;
+  if (!read.problem.empty()) say(read.problem, true);
+}
+
+const StudioSettings& Studio::settings() const { return ui_->settings; }
+
+void Studio::keep_settings() {
+  if (ui_->settings == kept_settings_) return;
+  kept_settings_ = ui_->settings;
+  const std::filesystem::path file = settings_file();
+  if (file.empty()) return;
+  try {
+    write_settings(file, kept_settings_);
+  } catch (const std::exception& error) {
+    say(fmt::format("The settings are not kept: {}", error.what()), true);
+  }
 }
 
 // The message goes when what it was about does.
@@ -65,11 +85,11 @@ void Studio::handle(const StudioRequests& requests) {
   // A person who saves before something else must not lose what could not be saved
   const bool goes_on = !requests.save_preset || save_preset_to(*requests.save_preset);
   quit_ = requests.quit && goes_on;
+  if (requests.close_message) say("");
   if (!requests.problem.empty()) say(requests.problem, true);
   if (requests.new_preset && goes_on) {
     fit_ = nullptr;
-    document_.preset = Preset{};
-    document_.preset.transfer_function = default_transfer_function();
+    document_.preset = new_preset();
     document_.preset_path.clear();
     document_.library_name.clear();
     mark_saved();
@@ -84,11 +104,16 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.open_volume) start_loading(*requests.open_volume);
   if (requests.reload_shaders) {
     views_.renderer().resources().programs.reload();
+    shader_error_.clear();  // the same one is news again
     views_.invalidate();
   }
   if (requests.recovery) take_recovery(*requests.recovery);
   if (requests.measure) *requests.measure ? sweep_.switch_on() : sweep_.switch_off();
   if (requests.close_volume) close_volume();
+  if (requests.open_manual) {
+    const ManualOpened opened = open_manual(*requests.open_manual);
+    say(opened.message, opened.is_error);
+  }
   if (requests.reads_library) own_presets_.read_again(), read_library();
   if (requests.library) change_library(*requests.library);
   if (!quit_) return;
@@ -105,12 +130,14 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.imported = imported_;
   inputs.import_take = import_take_;
   inputs.export_picture = export_picture_.picture();
+  inputs.version = CREST_VERSION;
   inputs.message = message_;
   inputs.message_is_error = message_is_error_;
   inputs.recent = recent_.list();
   inputs.performance = performance_;
   inputs.saving = picture_maker_.progress();
   inputs.library = library_;
+  inputs.opening = opening_ ? &*opening_ : nullptr;
   inputs.recovery = recovery_offer();
   inputs.accuracy = &sweep_.results();
   inputs.choice = &choice_.results();
@@ -186,6 +213,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   matters_.take();
   take_thumbnails();
   take_saved_picture();
+  take_raw_preview();
   StudioInputs shown;
   try {
     shown = inputs(close_requested);
@@ -223,8 +251,12 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   update_choice(requests);
   update_matters(requests, interactive);
   want_thumbnails(requests);
-  if (const std::string& error = views_.renderer().resources().programs.error(); !error.empty())
-    say(error, true);
+  update_opening(requests);
+  if (const std::string& error = views_.renderer().resources().programs.error(); error != shader_error_) {
+    shader_error_ = error;
+    if (!error.empty()) say(error, true);
+  }
+  keep_settings();
 }
 
 }  // namespace crest

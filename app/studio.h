@@ -14,9 +14,11 @@
 #include "app/last_volume.h"
 #include "app/picture_maker.h"
 #include "app/preset_folder.h"
+#include "app/raw_preview.h"
 #include "app/ray_inspector.h"
 #include "app/recent_files.h"
 #include "app/slice_pictures.h"
+#include "app/studio_settings.h"
 #include "app/thumbnail_maker.h"
 #include "app/thumbnail_store.h"
 #include "app/view_difference.h"
@@ -43,6 +45,9 @@ class Studio {
   /// Keeps unsaved changes, so that they outlive a crash. To be called again and again, also at rest.
   void keep_unsaved_changes();
 
+  /// Takes over what the document's file has now; where there are unsaved changes it only says so.
+  void take_changed_preset();
+
   /// What was dropped on the window: a preset, of Crest's own or of another program, or a volume.
   void open(const std::string& source);
 
@@ -57,16 +62,19 @@ class Studio {
   /// Something of the work in the background may come up soon, has come up.
   bool is_measuring() const {
     return sweep_.is_active() || choice_.is_running() || matters_.is_active() || thumbnail_maker_.is_busy() ||
-           picture_maker_.is_busy();
+           picture_maker_.is_busy() || raw_preview_.is_busy();
   }
   bool has_news() const {
     const auto now = BackgroundSweep::Clock::now();
     return sweep_.has_news(now) || choice_.has_news() || matters_.has_news(now) ||
-           thumbnail_maker_.has_news() || picture_maker_.has_news();
+           thumbnail_maker_.has_news() || picture_maker_.has_news() || raw_preview_.has_news();
   }
   std::string title() const;
   const Document& document() const { return document_; }
   const StudioState& ui_state() const { return *ui_; }
+  /// What a person chose in earlier runs; what is chosen from now on is kept.
+  void use_settings(const ReadSettings& read);
+  const StudioSettings& settings() const;
   const ViewRenderer& views() const { return views_; }
   void set_performance_text(std::string text) { performance_ = std::move(text); }
 
@@ -80,6 +88,10 @@ class Studio {
   void cancel_loading();
   void take_loaded_volume();
   void show(Loaded fresh);
+  void ask_what_to_open(const OpenChoice& choice);
+  void stop_asking();
+  void take_raw_preview();
+  void update_opening(const StudioRequests& requests);
   void open_preset(const std::string& name_or_path, TfParts take);
   void take_import(const StudioRequests::Import& choice);
   void export_to(const StudioRequests::Export& request);
@@ -102,6 +114,7 @@ class Studio {
   void take_thumbnails();
   void want_thumbnails(const StudioRequests& requests);
   void say(std::string text, bool is_error = false);
+  void keep_settings();
   void tell_view_error();
   /// The preset is what its file has, or what it was opened as.
   void mark_saved();
@@ -116,6 +129,7 @@ class Studio {
   ViewRequest view_request(const ViewContent& content, const Scene& own, ShownPicture shown_by_all_views,
                            glm::ivec2 size) const;
   void save_picture(const PictureAsk& ask);
+  void save_editor_picture(const PictureAsk& ask);
   void take_saved_picture();
   std::array<ViewRequest, picture_count> view_requests(const StudioRequests& requests) const;
   void update_rays(const StudioRequests& requests, bool interactive);
@@ -142,6 +156,8 @@ class Studio {
   ViewDifference difference_;
   RayInspector rays_;
   PictureMaker picture_maker_;
+  std::optional<Opening> opening_;  ///< while a person is asked
+  RawPreview raw_preview_;
   std::optional<PickedPixel> picked_;
   bool animates_ = false;
   BackgroundSweep sweep_;
@@ -167,7 +183,8 @@ class Studio {
   Autosave autosave_;
   std::optional<std::string> dropped_preset_;
   std::string message_, performance_;
-  std::string view_error_;  ///< as last told
+  std::string view_error_, shader_error_;  ///< as last told
+  StudioSettings kept_settings_;           ///< as they stand in their file
   bool message_is_error_ = false, quit_ = false;
 };
 

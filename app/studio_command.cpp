@@ -6,25 +6,46 @@
 
 #include "app/commands.h"
 #include "app/compare.h"
+#include "app/file_watch.h"
 #include "app/frame_log.h"
 #include "app/layout_file.h"
 #include "app/preset_source.h"
 #include "app/scene_options.h"
+#include "app/sources.h"
 #include "app/studio.h"
+#include "app/studio_settings.h"
+#include "app/unknown_word.h"
 #include "app/window.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
+#include "presets/number_text.h"
 #include "presets/preset_file.h"
+#include "presets/printable.h"
 #include "render/files/load.h"
-#include "ui/style.h"
 
 namespace crest {
 namespace {
 
 struct StudioOptions {
   SceneOptions scene;
-  std::string shader_folder, frame_log, layout_file;
+  std::string shader_folder, frame_log, layout_file, scale, theme;
+  bool watch = false;
 };
+
+/// What the window is drawn with.
+struct Look {
+  float scale;
+  Theme theme;
+  bool operator==(const Look&) const = default;
+};
+
+/// What was kept, with what the command line says for this run.
+ReadSettings settings_for(const StudioOptions& options) {
+  ReadSettings read = read_settings(settings_file());
+  if (!options.scale.empty()) read.settings.scale = read_number(options.scale).number;
+  if (!options.theme.empty()) read.settings.theme = *theme_named(options.theme);
+  return read;
+}
 
 constexpr double interactive_ms = 12;  ///< for the views, in a frame in which the person does something
 constexpr double resting_ms = 80;
@@ -36,7 +57,11 @@ Document initial_document(const StudioOptions& options) {
   document.volume_source = options.scene.volume;
   document.preset = options.scene.read_preset();
   const std::string& preset = options.scene.preset;
-  if (is_picture_file(preset)) return document;  // which is not what is saved into
+  const bool says_shading = std::ranges::any_of(
+      options.scene.sets, [](const std::string& set) { return set.starts_with("rendering.shading"); });
+  if (preset.empty() && !says_shading) document.preset.rendering.shading = new_preset().rendering.shading;
+  if (is_picture_file(preset) || options.scene.is_preset_from_stdin())
+    return document;  // which is not what is saved into
   if (std::filesystem::exists(preset))
     document.preset_path = preset;
   else
@@ -48,14 +73,20 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
   using Clock = std::chrono::steady_clock;
   FrameLog log;
   LayoutFile layout(options.layout_file);
+  FileWatch preset_watch;
+  std::optional<Look> look;
   Clock::time_point last_input = Clock::now();
   int settling = settling_frames;
   while (!studio.wants_to_quit()) {
     // At rest the program sleeps; while a volume is read, or something is measured, it looks up now and then
     const bool works = settling > 0 || studio.is_drawing();
-    const double pause = studio.is_loading() ? 0.05 : studio.is_measuring() ? 0.2 : 1.0;
+    const double pause = studio.is_loading() ? 0.05 : studio.is_measuring() || options.watch ? 0.2 : 1.0;
     window.poll_events(!works, studio.animates() ? std::min(pause, blink_s / 4) : pause);
     studio.keep_unsaved_changes();
+    if (options.watch && preset_watch.has_changed({studio.document().preset_path})) {
+      studio.take_changed_preset();
+      settling = settling_frames;
+    }
     const auto begin = Clock::now();
     if (window.had_input()) {
       last_input = begin;
@@ -67,6 +98,12 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
     const bool interactive =
         window.is_mouse_down() || begin - last_input < std::chrono::duration<double>(rest_after_s);
 
+    const StudioSettings& settings = studio.settings();
+    const Look wanted{settings.scale ? float(*settings.scale) : window.content_scale(), settings.theme};
+    if (look != wanted) {
+      window.set_style(wanted.scale, wanted.theme);
+      look = wanted;
+    }
     window.begin_frame();
     for (const auto& dropped : window.take_dropped()) studio.open(dropped);
     studio.frame(window.take_close_request(), interactive ? interactive_ms : resting_ms, interactive);
@@ -87,19 +124,20 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
 /// thread still reads a volume, the program ends without taking apart what the thread uses.
 void run_window(const StudioOptions& options) {
   Document document = initial_document(options);
-  Window window("Crest", 1720, 1160);
-  apply_style(window.content_scale());
+  const ReadSettings settings = settings_for(options);
+  Window window("Crest", 1720, 1160, settings.settings.scale);
   Studio studio(
       std::move(document),
       [scene = options.scene](Preset preset, const Volume& volume, double aspect) {
         return scene.for_volume(std::move(preset), volume, aspect);
       },
       options.shader_folder);
+  studio.use_settings(settings);
   try {
     run_frames(options, window, studio);
   } catch (const std::exception& error) {
     if (!studio.leaves_thread()) throw;
-    fmt::print(stderr, "crest: {}\n", error.what());
+    fmt::print(stderr, "crest: {}\n", printable(error.what()));
     std::_Exit(1);
   }
   if (studio.leaves_thread()) std::_Exit(0);
@@ -113,9 +151,10 @@ void open_studio(const StudioOptions& options) {
 }
 
 /// A word that stands alone could be a mistyped command.
-void expect_volume(const std::string& source) {
+void expect_volume(const OptionTable& table, const std::string& source) {
   if (source.find_first_of("./:?") == source.npos && !is_volume_there(source))
-    throw UsageError("VOLUME", fmt::format("'{}' is neither a command nor a file or folder", source));
+    throw UsageError("VOLUME", fmt::format("'{}' is neither a command nor a file or folder{}", source,
+                                           meant_command(table, source)));
 }
 
 /// What the studio does where it has no display: a picture instead of a window.
@@ -134,22 +173,44 @@ void run_without_display(StudioOptions options) {
 
 }  // namespace
 
+namespace {
+
+void add_studio_options(Options to, StudioOptions& options) {
+  to.add("VOLUME", options.scene.volume, "What to open").offers(builtin_sources());
+  options.scene.add_to(to);
+  to.add_flag("--watch", options.watch,
+              "Take over the preset whenever its file changes, while nothing is unsaved here");
+  to.add("--shaders", options.shader_folder, "Read the shaders from this folder; F5 reads them again")
+      .existing_folder();
+  to.add("--scale", options.scale, "Size of texts and controls in this run's window, 0.75 to 3")
+      .type_name("FACTOR")
+      .check([](const std::string& text) {
+        const TypedNumber typed = read_number(text);
+        return typed.number ? why_outside(*typed.number, scale_rule) : typed.wrong;
+      });
+  to.add("--theme", options.theme, "Colours of this run's window").one_of({"dark", "light"});
+  to.add("--log-frames", options.frame_log, "On quitting, write frame times and edit-to-view times here")
+      .type_name("FILE");
+  to.add("--log-layout", options.layout_file,
+         "Write where the widgets are, for scripts that drive the window")
+      .type_name("FILE");
+}
+
+}  // namespace
+
 void add_studio(Options app, Action& chosen) {
   auto options = std::make_shared<StudioOptions>();
-  app.add("VOLUME", options->scene.volume, "What to open in the studio window");
-  options->scene.add_to(app);
-  app.add("--shaders", options->shader_folder, "Read the shaders from this folder; F5 reads them again")
-      .existing_folder();
-  app.add("--log-frames", options->frame_log, "On quitting, write frame times and edit-to-view times here")
-      .type_name("FILE");
-  app.add("--log-layout", options->layout_file,
-          "Write where the widgets are, for scripts that drive the window")
-      .type_name("FILE");
-  app.when_read([options, &chosen, app] {
+  const auto run = [options] { has_display() ? open_studio(*options) : run_without_display(*options); };
+  add_studio_options(app, *options);
+  app.when_read([options, run, &chosen, app] {
     if (app.has_command()) return;
-    if (!options->scene.volume.empty()) expect_volume(options->scene.volume);
-    chosen = [options] { has_display() ? open_studio(*options) : run_without_display(*options); };
+    if (!options->scene.volume.empty()) expect_volume(app.table(), options->scene.volume);
+    chosen = run;
   });
+  Options command = app.add_command("window", "The studio; also without this word: crest [VOLUME]", "Look");
+  command.add_example("crest head.nrrd --preset dirac-shell");
+  add_studio_options(command, *options);
+  command.when_read([run, &chosen] { chosen = run; });
 }
 
 }  // namespace crest

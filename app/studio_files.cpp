@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/editor_image.h"
 #include "app/export_files.h"
 #include "app/preset_source.h"
 #include "app/studio.h"
@@ -14,6 +15,7 @@
 #include "render/files/file_request.h"
 #include "render/files/image.h"
 #include "render/scene/export_input.h"
+#include "ui/shown_values.h"
 #include "ui/studio_state.h"
 
 // What the studio does with files: volumes, presets, what an earlier run left.
@@ -63,6 +65,7 @@ Preset without_camera(Preset preset) {
 
 void Studio::start_loading(const std::string& source) {
   loading_for_document_ = false;
+  stop_asking();
   say("");
   loader_.start(source);
 }
@@ -117,13 +120,16 @@ void Studio::take_loaded_volume() {
   auto result = loader_.take();
   if (!result) return;
   try {
-    if (!result->volume) throw Error(result->error);
-    show({result->source, std::move(result->volume)});
+    if (result->volume) return show({result->source, std::move(result->volume)});
   } catch (const std::exception& error) {
-    // What was there stays
-    if (document_.volume_source == result->source) document_.volume_source = loaded_.source;
-    say(error.what(), true);
+    result->error = error.what();
   }
+  // What was there stays
+  if (document_.volume_source == result->source) document_.volume_source = loaded_.source;
+  if (result->choice)
+    ask_what_to_open(*result->choice);
+  else
+    say(result->error, true);
 }
 
 void Studio::close_volume() {
@@ -238,6 +244,25 @@ bool Studio::save_preset_to(const std::filesystem::path& path) {
   }
 }
 
+void Studio::take_changed_preset() {
+  const std::string file = document_.preset_path.string();
+  try {
+    Preset fresh = load_preset_from(file);
+    const Preset* saved = saved_preset();
+    if (!saved || fresh == *saved) return;  // it was written from here
+    if (has_unsaved_changes())
+      return say(fmt::format("{} has changed outside; what is not saved here stays", file), true);
+    // The view stays where it is, unless the file has another one than before
+    if (fresh.camera == saved->camera) fresh.camera = document_.preset.camera;
+    keep_thumbnails();
+    document_.preset = std::move(fresh);
+    mark_saved();
+    say(fmt::format("{} has changed, and is read again", file));
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
 void Studio::open(const std::string& source) {
   if (is_preset_file(source) || holds_preset(source))
     dropped_preset_ = source;
@@ -296,8 +321,24 @@ void Studio::save_ray_to(const std::filesystem::path& path) {
   }
 }
 
+/// At once: it is some triangles.
+void Studio::save_editor_picture(const PictureAsk& ask) {
+  try {
+    Document shown = document_;
+    TransferFunction& tf = shown.preset.transfer_function;
+    if (const auto& volume = loaded_.volume)
+      tf = shown_values(tf, shown_domain(tf, ui_->settings, true), volume->statistics.range);
+    const Image image = editor_image(shown, ui_->editor, inputs(false), ask.size, ui_->settings.theme);
+    write_image(ask.path, image, {}, write_preset(document_.preset));
+    say(fmt::format("Saved {}", ask.path.string()));
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
 /// In the background, at a size of its own: the window stays live.
 void Studio::save_picture(const PictureAsk& ask) {
+  if (ask.view == picture_of_editor) return save_editor_picture(ask);
   if (!loaded_.volume) return;
   if (picture_maker_.is_busy()) return say("A picture is being saved: wait until it is done", true);
   const ViewsState& views = ui_->views;

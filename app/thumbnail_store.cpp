@@ -32,7 +32,7 @@ std::filesystem::path ThumbnailStore::file_of(const std::string& key) const {
 std::uintptr_t ThumbnailStore::texture(const std::string& key) {
   const auto [found, is_new] = textures_.try_emplace(key);
   if (is_new && !folder_.empty())
-    if (const auto png = read_cached(file_of(key)))
+    if (const auto png = read_cached(file_of(key), most_bytes))
       if (const auto thumbnail = thumbnail_from_png(*png)) found->second = upload(*thumbnail);
   return found->second.id();
 }

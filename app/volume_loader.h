@@ -3,35 +3,40 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "render/files/open_choice.h"
 #include "render/volume/volume.h"
 
 namespace crest {
 
-/// Reads volumes beside the window; the one that was asked for last counts. A reader cannot be stopped in the
-/// midst of a library's call: what is no longer wanted is let go, in a thread that holds nothing but its own
-/// data, and what it finds is dropped. No call waits; but ITK and OpenImageIO read one file at a time
-/// (readers/silence.h), so that the next one may wait for one that was let go.
+/// Reads volumes beside the window; the one that was asked for last counts. What is no longer wanted is asked
+/// to stop, which ends a reader's program at once (Reading::stop); its thread holds nothing but its own data,
+/// and what it finds is dropped. No call waits.
 class VolumeLoader {
  public:
-  using Read = std::function<Volume(const std::string& source)>;
-  /// Reads with load_volume().
+  using Read = std::function<Volume(const std::string& source, std::stop_token stop)>;
+  /// Reads with load_volume(), which asks (Reading::asks).
   VolumeLoader();
   /// `read` is called in other threads, also after the loader is gone.
   explicit VolumeLoader(Read read);
+  ~VolumeLoader();
+  VolumeLoader(const VolumeLoader&) = delete;
+  VolumeLoader& operator=(const VolumeLoader&) = delete;
 
   struct Result {
     std::string source;
     std::shared_ptr<const Volume> volume;  ///< null where it could not be read
     std::string error;                     ///< why
+    std::optional<OpenChoice> choice;      ///< that must be made first
   };
 
   /// Reads this one, in place of what is being read.
   void start(const std::string& source);
-  /// Lets go of what is being read.
-  void cancel() { job_.reset(); }
+  /// Stops what is being read, and lets go of it.
+  void cancel();
   bool is_loading() const { return job_ != nullptr; }
   const std::string& source() const;  ///< of what is being read; is_loading() must be true
   /// What was read, once.

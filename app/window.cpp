@@ -13,17 +13,25 @@
 #include <set>
 #include <utility>
 
+#include "app/keyboard_layout.h"
 #include "presets/error.h"
+#include "ui/style.h"
 
 namespace crest {
 namespace {
 
-GLFWwindow* create_window(const std::string& title, int width, int height) {
+GLFWwindow* create_window(const std::string& title, int width, int height, std::optional<double> scale) {
   if (!glfwInit())
     throw Error("no display to open a window on (set DISPLAY, or use crest compare for pictures)");
   int x = 0, y = 0, available_width = width, available_height = height;
-  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
+  float monitor_scale = 1;
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
     glfwGetMonitorWorkarea(monitor, &x, &y, &available_width, &available_height);
+    glfwGetMonitorContentScale(monitor, &monitor_scale, nullptr);
+  }
+  const double times = scale.value_or(double(monitor_scale));
+  width = int(times * width);
+  height = int(times * height);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -63,11 +71,23 @@ void note_all_input(GLFWwindow* window, WindowInput& input) {
   });
 }
 
+/// By the present layout; one that goes up is what it went down as.
+int counted_key(WindowInput& input, int key, int scancode, int action) {
+  if (action == GLFW_RELEASE) {
+    const auto held = input.held.extract(scancode);
+    return held.empty() ? key : held.mapped();
+  }
+  const bool is_printable = key >= GLFW_KEY_APOSTROPHE && key <= GLFW_KEY_WORLD_2;
+  const int counted = is_printable ? key_on_cap(key, glfwGetKeyName(key, scancode)) : key;
+  return input.held.try_emplace(scancode, counted).first->second;
+}
+
 /// Keys and what they type are kept until the next frame, instead of going to Dear ImGui at once.
 void queue_keys(GLFWwindow* window) {
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
     note_input(w);
-    input_of(w).keys.push_back({key, scancode, action, mods});
+    WindowInput& input = input_of(w);
+    input.keys.push_back({counted_key(input, key, scancode, action), scancode, action, mods});
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
     note_input(w);
@@ -77,7 +97,7 @@ void queue_keys(GLFWwindow* window) {
 
 /// Whether a key only types its character, where a field is open. It needs no frame of its own.
 bool is_text(const KeyEvent& event) {
-  const bool printable = event.key >= GLFW_KEY_SPACE && event.key <= GLFW_KEY_GRAVE_ACCENT;
+  const bool printable = (event.key >= GLFW_KEY_SPACE && event.key <= GLFW_KEY_GRAVE_ACCENT) || event.key < 0;
   return printable && (event.mods & ~GLFW_MOD_SHIFT) == 0 && ImGui::GetIO().WantTextInput;
 }
 
@@ -109,12 +129,13 @@ void tell_keys(GLFWwindow* window, std::deque<KeyEvent>& keys) {
 
 }  // namespace
 
-Window::Window(const std::string& title, int width, int height)
-    : window_(create_window(title, width, height)), title_(title) {
+Window::Window(const std::string& title, int width, int height, std::optional<double> scale)
+    : window_(create_window(title, width, height, scale)), title_(title) {
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
   note_all_input(window_, input_);
   ImGui::CreateContext();
+  ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   ImGui::GetIO().IniFilename = nullptr;  // the layout is ours; nothing is left in the folder
   ImGui_ImplGlfw_InitForOpenGL(window_, true);
   queue_keys(window_);
@@ -134,6 +155,14 @@ void Window::poll_events(bool wait, double seconds) {
     glfwWaitEventsTimeout(seconds);
   else
     glfwPollEvents();
+}
+
+void Window::set_style(float scale, Theme theme) {
+  // The first frame makes the texture itself
+  const bool has_texture = ImGui::GetIO().Fonts->TexID != nullptr;
+  if (has_texture) ImGui_ImplOpenGL3_DestroyFontsTexture();
+  apply_style(scale, theme);
+  if (has_texture) ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 void Window::begin_frame() {

@@ -2,15 +2,18 @@
 
 #include <deque>
 #include <glm/vec2.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 struct GLFWwindow;
 
+#include "ui/palette.h"
+
 namespace crest {
 
-/// A key that went down or up, as GLFW tells it; or a character that was typed.
+/// A key that went down or up, as GLFW tells it but by what is on its cap; or a character that was typed.
 struct KeyEvent {
   int key, scancode, action, mods;
   unsigned character = 0;  ///< then the others have no meaning
@@ -21,6 +24,7 @@ struct WindowInput {
   bool any = true;
   std::vector<std::string> dropped;      ///< files
   std::deque<KeyEvent> keys;             ///< not yet told to Dear ImGui
+  std::map<int, int> held;               ///< by scancode: as which key it went down
   std::optional<glm::dvec2> pressed_at;  ///< where a mouse button went down
   bool released = false;                 ///< a mouse button went up
 };
@@ -28,14 +32,17 @@ struct WindowInput {
 /// The studio's window: GLFW with an OpenGL 4.5 core context, and Dear ImGui in it.
 class Window {
  public:
-  /// Throws Error when there is no display, or no such context.
-  Window(const std::string& title, int width, int height);
+  /// At most as large as the screen; `width` and `height` are for `scale` 1, and without a scale for the
+  /// monitor's. Throws Error when there is no display, or no such context.
+  Window(const std::string& title, int width, int height, std::optional<double> scale);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
   /// Handles what came in; with `wait`, sleeps until something does (at most `seconds`).
   void poll_events(bool wait, double seconds);
+  /// The style of what is drawn, from the next frame on.
+  void set_style(float scale, Theme theme);
   void begin_frame();
   void end_frame();
 

@@ -89,6 +89,7 @@ void visit_fields(Self& camera, Field&& field) {
   field("up", camera.up, always_written());
   field("fov_y_degrees", camera.fov_y_degrees,
         always_written({.min = 0, .max = 180, .open_min = true, .open_max = true}));
+  field("projection", camera.projection, any_value);
 }
 
 template <Either<Surface> Self, class Field>

@@ -82,6 +82,11 @@ struct EnumNames<BlendMode> {
                                                {BlendMode::mean, "mean"}};
 };
 template <>
+struct EnumNames<Projection> {
+  static constexpr Named<Projection> table[] = {{Projection::perspective, "perspective"},
+                                                {Projection::parallel, "parallel"}};
+};
+template <>
 struct EnumNames<Domain> {
   static constexpr Named<Domain> table[] = {{Domain::data, "data"}, {Domain::normalized, "normalized"}};
 };

@@ -1,5 +1,9 @@
 #include "presets/preset.h"
 
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
 #include <fmt/core.h>
 
 #include "presets/choices.h"
@@ -36,6 +40,10 @@ std::string why_inconsistent(const Rendering& rendering) {
   if (rendering.placement != Placement::entry)
     return complaint("placement", name_of(Placement::entry), name_of(rendering.placement));
   return "";
+}
+
+double half_height_at_target(const Camera& camera) {
+  return glm::length(camera.target - camera.eye) * std::tan(camera.fov_y_degrees * std::numbers::pi / 360);
 }
 
 }  // namespace crest

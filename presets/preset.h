@@ -97,13 +97,23 @@ Rendering with_trilinear_filters(Rendering rendering);
 /// Why these settings do not go together, and what would; empty where they do. Files are refused for it.
 std::string why_inconsistent(const Rendering& rendering);
 
-/// A pinhole camera. The ray of a pixel goes through the pixel's centre; row 0 is at the top.
+/// Whether a picture's rays come from the eye, or all run in one direction.
+enum class Projection { perspective, parallel };
+
+/// The ray of a pixel goes through the pixel's centre; row 0 is at the top. In parallel projection all rays
+/// run along the line from eye to target, and begin before the volume wherever the eye is; the picture is as
+/// high as in perspective at the target, 2 |target - eye| tan(fov_y / 2). So what lies in the target's plane
+/// stays as large when the projection is switched, and a nearer eye magnifies in both.
 struct Camera {
   glm::dvec3 eye{0, 0, 0}, target{0, 0, 1}, up{0, 1, 0};  ///< world units
   double fov_y_degrees = 30;                              ///< in (0, 180)
+  Projection projection = Projection::perspective;
   std::string unknown;
   bool operator==(const Camera&) const = default;
 };
+
+/// Half the height of what is in view at the target, in world units.
+double half_height_at_target(const Camera& camera);
 
 /// All that a person saves.
 struct Preset {

@@ -55,6 +55,13 @@ Setting setting_of(const char* name, const std::optional<Filter>& filter) {
   return {words_of(name), filter ? text_of(*filter) : "that of the samples"};
 }
 
+std::string camera_change(const std::optional<Camera>& before, const std::optional<Camera>& after) {
+  if (!after) return "Show the whole volume";
+  const Projection from = before ? before->projection : Projection::perspective;
+  if (after->projection == from) return "Move the camera";
+  return fmt::format("Switch to {} projection", name_of(after->projection));
+}
+
 /// All fields but points, as text; those of a struct in it with the rest.
 template <Fielded T>
 void list_settings(const T& values, std::vector<Setting>& list) {
@@ -113,12 +120,7 @@ std::vector<std::string> preset_changes(const Preset& before, const Preset& afte
   add_texts(sentences, before, after);
   add_transfer_function(sentences, before.transfer_function, after.transfer_function);
   add_settings(sentences, before.rendering, after.rendering);
-  if (before.camera != after.camera) {
-    if (!after.camera)
-      sentences.emplace_back("Show the whole volume");
-    else
-      sentences.emplace_back("Move the camera");
-  }
+  if (before.camera != after.camera) sentences.push_back(camera_change(before.camera, after.camera));
   return sentences;
 }
 

@@ -1,6 +1,6 @@
 #include "presets/preset_file.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -10,19 +10,13 @@
 #include "presets/exchange/importers.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
+#include "presets/nearest_word.h"
 #include "presets/preset_json.h"
 
 namespace crest {
 namespace {
 
 constexpr std::size_t largest_preset = 16 << 20;  // bytes: some 200,000 points
-
-std::string library_names() {
-  std::string names;
-  for (const LibraryPreset& preset : library())
-    names += (names.empty() ? "" : ", ") + std::string(preset.name);
-  return names;
-}
 
 }  // namespace
 
@@ -61,8 +55,10 @@ Preset load_preset(const std::string& name_or_path) {
     return parse_preset(read_file(name_or_path, largest_preset), name_or_path);
   for (const LibraryPreset& preset : library())
     if (preset.name == name_or_path) return parse_preset(preset.text, name_or_path);
-  throw Error(fmt::format("{}: no such file, and no preset of that name in the library, which has: {}",
-                          name_or_path, library_names()));
+  std::vector<std::string_view> names;
+  for (const LibraryPreset& preset : library()) names.push_back(preset.name);
+  throw Error(fmt::format("{}: no such file, and no preset of that name in the library, which has: {}{}",
+                          name_or_path, fmt::join(names, ", "), did_you_mean(name_or_path, names)));
 }
 
 void save_preset(const std::filesystem::path& path, const Preset& preset) {

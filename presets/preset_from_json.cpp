@@ -9,6 +9,7 @@
 #include "presets/fields.h"
 #include "presets/json.h"
 #include "presets/names.h"
+#include "presets/nearest_word.h"
 #include "presets/number_text.h"
 #include "presets/preset_json.h"
 
@@ -79,7 +80,12 @@ template <NamedEnum T>
 void read(const Json& json, const Path& path, T& value, const FieldRule&) {
   const std::optional<T> named =
       json.is_string() ? value_named<T>(json.get_ref<const std::string&>()) : std::nullopt;
-  if (!named) fail(path, fmt::format("{} is not one of: {}", summary_of(json), name_list<T>()));
+  if (!named) {
+    std::vector<std::string_view> names;
+    for (const auto& known : names_of<T>()) names.push_back(known.name);
+    const std::string meant = json.is_string() ? did_you_mean(json.get<std::string>(), names) : "";
+    fail(path, fmt::format("{} is not one of: {}{}", summary_of(json), name_list<T>(), meant));
+  }
   value = *named;
 }
 

@@ -4,6 +4,7 @@
 
 #include "presets/error.h"
 #include "presets/json.h"
+#include "presets/nearest_word.h"
 #include "presets/number_text.h"
 #include "presets/preset_file.h"
 #include "presets/preset_json.h"
@@ -35,6 +36,12 @@ std::size_t take_index(std::string_view& rest, std::string_view path) {
   return index;
 }
 
+std::string meant_key(const Json& object, std::string_view key) {
+  std::vector<std::string_view> keys;
+  for (const auto& item : object.items()) keys.push_back(item.key());
+  return did_you_mean(key, keys);
+}
+
 /// The member that `path` names, which must be there.
 Json& find(Json& root, std::string_view path) {
   Json* json = &root;
@@ -52,8 +59,8 @@ Json& find(Json& root, std::string_view path) {
       const std::string key = take_key(rest);
       if (!json->is_object()) throw Error(fmt::format("{}: {} has no fields", path, so_far));
       if (!json->contains(key))
-        throw Error(fmt::format("{}: no field \"{}\"; {} has: {}", path, key,
-                                so_far.empty() ? "a preset" : so_far, keys_of(*json)));
+        throw Error(fmt::format("{}: no field \"{}\"; {} has: {}{}", path, key,
+                                so_far.empty() ? "a preset" : so_far, keys_of(*json), meant_key(*json, key)));
       json = &(*json)[key];
     }
   }

@@ -6,6 +6,7 @@
 
 #include "presets/names.h"
 #include "render/measure/model_difference.h"
+#include "ui/mode_text.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
 
@@ -41,6 +42,13 @@ const char* explanation_of(Answer answer) {
   return "The integral without the spikes, and the peaks' surfaces";
 }
 
+/// "Surfaces + volume", and the filters where they are not those that were measured with.
+std::string answer_title(const ExactAnswer& answer) {
+  const std::string name = name_of(answer);
+  const std::size_t filters = std::min(name.find(" ("), name.size());
+  return title_of(mode_of(answer.answer)) + name.substr(filters);
+}
+
 /// Which views show the mode: the grid, with their places filled, at the left of the last button.
 void draw_view_mark(const ViewsState& views, Mode mode, ImU32 color) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
@@ -54,7 +62,7 @@ void draw_view_mark(const ViewsState& views, Mode mode, ImU32 color) {
     if (views.contents[std::size_t(i)].mode == mode)
       list.AddRectFilled(at, end, color);
     else
-      list.AddRect(at, end, palette::faint);
+      list.AddRect(at, end, palette().secondary);
   }
 }
 
@@ -75,7 +83,7 @@ Mode mode_of(Answer answer) {
 }
 
 std::string model_text(const ShownAccuracy& shown) {
-  const std::string whose = fmt::format("The answer of {}", name_of(mode_of(shown.answer.answer)));
+  const std::string whose = fmt::format("The exact answer of \"{}\"", title_of(mode_of(shown.answer.answer)));
   if (shown.answer == own_integral(shown.results.rendering))
     return whose + ": the integral, from which the others are told apart";
   const auto& known = shown.results.model_differences;
@@ -91,7 +99,7 @@ std::string model_text(const ShownAccuracy& shown) {
 }
 
 void answer_rows(StudioState& state, const ShownAccuracy& shown) {
-  field_label("against");
+  field_label("Against");
   const float begin = ImGui::GetCursorPosX(), right = begin + ImGui::GetContentRegionAvail().x;
   for (const ExactAnswer& answer : offered_answers(shown)) {
     const std::string name = name_of(answer);
@@ -99,22 +107,24 @@ void answer_rows(StudioState& state, const ShownAccuracy& shown) {
         shown.results.measured, [&](const Measurement& m) { return m.error_against(answer) != nullptr; });
     const bool is_shown = answer == shown.answer;
     const float mark = ImGui::GetFontSize() + scaled(4);
-    const float width = ImGui::CalcTextSize(name.c_str()).x + mark + 2 * ImGui::GetStyle().FramePadding.x;
+    const std::string text = answer_title(answer);
+    const float width = ImGui::CalcTextSize(text.c_str()).x + mark + 2 * ImGui::GetStyle().FramePadding.x;
     if (ImGui::GetCursorPosX() > begin && ImGui::GetCursorPosX() + width > right) {
       ImGui::NewLine();
       ImGui::SetCursorPosX(begin);
     }
     ImGui::PushStyleColor(ImGuiCol_Button,
                           ImGui::GetStyleColorVec4(is_shown ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
-    ImGui::PushStyleColor(ImGuiCol_Text, is_there || is_shown ? palette::text : palette::dim);
+    ImGui::PushStyleColor(ImGuiCol_Text, is_there || is_shown ? palette().text : palette().secondary);
     ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {1, 0.5F});
-    if (ImGui::Button(name.c_str(), {width, 0})) state.accuracy.answer = answer;
+    if (ImGui::Button(fmt::format("{}##{}", text, name).c_str(), {width, 0})) state.accuracy.answer = answer;
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
-    draw_view_mark(state.views, mode_of(answer.answer), is_there || is_shown ? palette::text : palette::dim);
+    draw_view_mark(state.views, mode_of(answer.answer),
+                   is_there || is_shown ? palette().text : palette().secondary);
     note_item(state.widgets, "answer/" + name);
-    tip(fmt::format("{}:\nwhat the {} view is measured against", explanation_of(answer.answer),
-                    name_of(mode_of(answer.answer)))
+    tip(fmt::format("{}:\nwhat the view \"{}\" is measured against; {} in reports",
+                    explanation_of(answer.answer), title_of(mode_of(answer.answer)), name)
             .c_str());
     ImGui::SameLine(0, scaled(3));
   }

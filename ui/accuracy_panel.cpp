@@ -47,7 +47,7 @@ void switch_row(StudioState& state, const StudioInputs& inputs, const AccuracyRe
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   if (!results.error.empty())
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error), "%s", results.error.c_str());
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette().error), "%s", results.error.c_str());
   else
     ImGui::TextDisabled("%s", status_of(results).c_str());
   if (!results.error.empty()) tip(results.error.c_str());
@@ -73,7 +73,7 @@ void target_row(TargetError& target, WidgetState& widgets) {
 void target_verdict(WidgetState& widgets, const ShownAccuracy& shown) {
   const std::string text = shown.results.is_stale ? "" : verdict_text(shown);
   if (text.empty()) return;
-  const ImU32 color = shown.recommended ? palette::good : palette::warning;
+  const ImU32 color = shown.recommended ? palette().good : palette().warning;
   ImGui::PushTextWrapPos();
   ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color), "%s", text.c_str());
   ImGui::PopTextWrapPos();
@@ -89,7 +89,7 @@ void point_tooltip(const ShownAccuracy& shown, std::size_t index, float bottom) 
     const float x = ImGui::GetCursorPosX();
     ImGui::TextUnformatted(value.data(), value.data() + value.size());
     ImGui::SameLine(x + column);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().secondary);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopStyleColor();
   };
@@ -131,11 +131,13 @@ void hint(ImDrawList& list, const ShownAccuracy& shown, ImVec2 low, ImVec2 high)
                                     : "No method was measured against this answer.";
   else if (shown.results.is_running)
     text = "The first points come when the first exact answer is there.";
-  const ImVec2 size = ImGui::CalcTextSize(text);
+  const float wrap = high.x - low.x - scaled(16);
+  const ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, wrap);
   list.PushClipRect(low, high, true);
-  list.AddText({std::max(low.x + scaled(8), std::round((low.x + high.x - size.x) / 2)),
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(),
+               {std::max(low.x + scaled(8), std::round((low.x + high.x - size.x) / 2)),
                 std::round((low.y + high.y - size.y) / 2)},
-               palette::faint, text);
+               palette().secondary, text, nullptr, wrap);
   list.PopClipRect();
 }
 
@@ -151,12 +153,12 @@ void draw_diagram(ImDrawList& list, const AccuracyPlot& plot, const ShownAccurac
     draw_line(list, plot, line, most, presence * (emphasized.empty() || is_it ? 1.0F : 0.45F), is_it);
   }
   if (shown.recommended && !shown.results.is_stale)
-    draw_ring(list, plot, shown.point_of(*shown.recommended), scaled(10), palette::good, "recommended",
+    draw_ring(list, plot, shown.point_of(*shown.recommended), scaled(10), palette().good, "recommended",
               false);
   if (shown.present_point)
-    draw_ring(list, plot, *shown.present_point, scaled(7), IM_COL32_WHITE, "present", true);
+    draw_ring(list, plot, *shown.present_point, scaled(7), palette().emphasis, "present", true);
   if (hovered)
-    list.AddCircle(plot.place(shown.point_of(*hovered)), scaled(8), palette::accent, 24, scaled(1.6F));
+    list.AddCircle(plot.place(shown.point_of(*hovered)), scaled(8), palette().accent, 24, scaled(1.6F));
   list.PopClipRect();
 }
 
@@ -168,11 +170,11 @@ bool diagram(Document& document, StudioState& state, const ShownAccuracy& shown,
   const AccuracyPlot plot =
       accuracy_plot(shown.lines, shown.target.most, corner, {corner.x + size.x, corner.y + size.y});
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(plot.low, plot.high, palette::plot);
+  list.AddRectFilled(plot.low, plot.high, palette().plot);
   if (shown.results.is_running) {
     const float done = float(std::clamp(shown.results.done, 0.0, 1.0)) * (plot.high.x - plot.low.x);
     list.AddRectFilled({plot.low.x, plot.low.y - scaled(2)}, {plot.low.x + done, plot.low.y},
-                       palette::accent);
+                       palette().accent);
   }
   if (shown.lines.empty()) {
     hint(list, shown, plot.low, plot.high);

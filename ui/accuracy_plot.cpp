@@ -18,11 +18,6 @@ constexpr double margin = 1.5;         // beyond the first and the last point
 constexpr double least_span = 20;      // from an axis' low end to its high end
 constexpr double least_error = 1e-12;  // far below the rounding of 32-bit float
 
-constexpr ImU32 colors[] = {IM_COL32(86, 180, 233, 255),  IM_COL32(240, 138, 60, 255),
-                            IM_COL32(62, 201, 160, 255),  IM_COL32(221, 139, 203, 255),
-                            IM_COL32(230, 192, 74, 255),  IM_COL32(143, 156, 245, 255),
-                            IM_COL32(214, 168, 120, 255), IM_COL32(255, 125, 166, 255)};
-
 /// Circle, square, triangle, diamond, triangle: corners about the middle.
 constexpr glm::vec2 square[] = {{-0.9F, -0.9F}, {0.9F, -0.9F}, {0.9F, 0.9F}, {-0.9F, 0.9F}};
 constexpr glm::vec2 triangle_up[] = {{0, -1.2F}, {1.1F, 0.8F}, {-1.1F, 0.8F}};
@@ -32,12 +27,6 @@ constexpr std::span<const glm::vec2> polygons[] = {{}, square, triangle_up, diam
 
 std::size_t index_of(const Method& method) {
   return std::size_t(std::ranges::find(methods(), method.id, &Method::id) - methods().begin());
-}
-
-ImU32 faded(ImU32 color, float alpha) {
-  ImVec4 parts = ImGui::ColorConvertU32ToFloat4(color);
-  parts.w *= alpha;
-  return ImGui::ColorConvertFloat4ToU32(parts);
 }
 
 LogAxis axis_over(double least, double most) {
@@ -83,30 +72,30 @@ void draw_error_axis(ImDrawList& list, const AccuracyPlot& plot) {
   const float height = ImGui::GetFontSize();
   const auto label = [&](float y, const std::string& text) {
     const float x = plot.low.x - scaled(6) - ImGui::CalcTextSize(text.c_str()).x;
-    list.AddText({std::round(x), std::round(y - height / 2)}, palette::dim, text.c_str());
+    list.AddText({std::round(x), std::round(y - height / 2)}, palette().secondary, text.c_str());
   };
   for (const Tick& tick : ticks_of(plot.error, height * 2)) {
     const float y = std::round(plot.error.place(tick.value));
-    list.AddLine({plot.low.x, y}, {plot.high.x, y}, faded(palette::grid, tick.labelled ? 1 : 0.4F));
+    list.AddLine({plot.low.x, y}, {plot.high.x, y}, faded(palette().grid, tick.labelled ? 1 : 0.4F));
     if (tick.labelled) label(y, tick_text(tick.value));
   }
   if (!plot.has_zero) return;
-  list.AddLine({plot.low.x, plot.error.from}, {plot.high.x, plot.error.from}, palette::frame);
+  list.AddLine({plot.low.x, plot.error.from}, {plot.high.x, plot.error.from}, palette().frame);
   label((plot.error.from + plot.high.y) / 2, "0");
 }
 
 void draw_time_axis(ImDrawList& list, const AccuracyPlot& plot) {
   const char* unit = "ms a frame";
   const float text_y = plot.high.y + scaled(5), unit_x = plot.high.x - ImGui::CalcTextSize(unit).x;
-  list.AddText({unit_x, text_y}, palette::dim, unit);
+  list.AddText({unit_x, text_y}, palette().secondary, unit);
   for (const Tick& tick : ticks_of(plot.ms, scaled(34))) {
     const float x = std::round(plot.ms.place(tick.value));
-    list.AddLine({x, plot.low.y}, {x, plot.high.y}, faded(palette::grid, tick.labelled ? 1 : 0.4F));
+    list.AddLine({x, plot.low.y}, {x, plot.high.y}, faded(palette().grid, tick.labelled ? 1 : 0.4F));
     if (!tick.labelled) continue;
     const std::string text = tick_text(tick.value);
     const float half = ImGui::CalcTextSize(text.c_str()).x / 2;
     if (x + half < unit_x - scaled(8))
-      list.AddText({std::round(x - half), text_y}, palette::dim, text.c_str());
+      list.AddText({std::round(x - half), text_y}, palette().secondary, text.c_str());
   }
 }
 
@@ -197,10 +186,10 @@ std::optional<std::size_t> point_near(const AccuracyPlot& plot, std::span<const 
   return nearest;
 }
 
-ImU32 color_of(const Method& method) { return colors[index_of(method) % std::size(colors)]; }
+ImU32 color_of(const Method& method) { return palette().series[index_of(method) % palette().series.size()]; }
 
 void draw_mark(ImDrawList& list, ImVec2 at, float radius, const Method& method, bool filled, float alpha) {
-  const ImU32 edge = faded(color_of(method), alpha), inner = filled ? edge : palette::plot;
+  const ImU32 edge = faded(color_of(method), alpha), inner = filled ? edge : palette().plot;
   const auto polygon = polygons[index_of(method) % std::size(polygons)];
   if (polygon.empty()) {
     list.AddCircleFilled(at, radius, inner, 16);
@@ -222,14 +211,14 @@ void draw_axes(ImDrawList& list, const AccuracyPlot& plot) {
 void draw_target(ImDrawList& list, const AccuracyPlot& plot, double target) {
   const bool is_zero = target < plot.error.low;
   const float y = is_zero ? plot.error.from : std::round(plot.error.place(target));
-  list.AddRectFilled({plot.low.x, y}, plot.high, faded(palette::good, 0.07F));
+  list.AddRectFilled({plot.low.x, y}, plot.high, faded(palette().good, 0.07F));
   for (float x = plot.low.x; x < plot.high.x; x += scaled(8))
-    list.AddLine({x, y}, {std::min(x + scaled(4), plot.high.x), y}, faded(palette::good, 0.7F));
+    list.AddLine({x, y}, {std::min(x + scaled(4), plot.high.x), y}, faded(palette().good, 0.7F));
   const std::string text = fmt::format("target {:.3g}", target);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const float text_y = y - size.y - scaled(2) > plot.low.y ? y - size.y - scaled(2) : y + scaled(2);
   list.AddText({std::round(plot.high.x - size.x - scaled(5)), std::round(text_y)},
-               faded(palette::good, 0.85F), text.c_str());
+               faded(palette().good, 0.85F), text.c_str());
 }
 
 void draw_front(ImDrawList& list, const AccuracyPlot& plot, std::span<const WorkPrecision> front) {
@@ -241,7 +230,7 @@ void draw_front(ImDrawList& list, const AccuracyPlot& plot, std::span<const Work
     stairs.push_back(at);
   }
   stairs.push_back({plot.high.x, stairs.back().y});
-  list.AddPolyline(stairs.data(), int(stairs.size()), IM_COL32(255, 255, 255, 40), ImDrawFlags_None,
+  list.AddPolyline(stairs.data(), int(stairs.size()), faded(palette().curve, 0.2F), ImDrawFlags_None,
                    scaled(5));
 }
 
@@ -265,7 +254,7 @@ void draw_ring(ImDrawList& list, const AccuracyPlot& plot, WorkPrecision point, 
   const bool on_the_left = word_on_the_left ? left > plot.low.x : right + size.x > plot.high.x;
   const ImVec2 corner{std::round(on_the_left ? left : right), std::round(at.y - size.y / 2)};
   list.AddRectFilled({corner.x - scaled(2), corner.y}, {corner.x + size.x + scaled(2), corner.y + size.y},
-                     faded(palette::plot, 0.75F), scaled(3));
+                     faded(palette().plot, 0.75F), scaled(3));
   list.AddText(corner, color, word);
 }
 

@@ -29,7 +29,7 @@ bool method_row(Document& document, StudioState& state, const ShownAccuracy& sho
           : "Click to render with its cheapest setting that meets the target");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_mark(list, {at.x + mark / 2, at.y + mark / 2}, scaled(4), *line.method, true);
-  list.AddText({at.x + mark + scaled(6), at.y}, palette::text, name.c_str());
+  list.AddText({at.x + mark + scaled(6), at.y}, palette().text, name.c_str());
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", found->fit ? fmt::format("{:.2f}", found->fit->order).c_str() : "-");
   ImGui::TableNextColumn();
@@ -43,7 +43,7 @@ bool method_row(Document& document, StudioState& state, const ShownAccuracy& sho
   ImGui::TextDisabled("%s%s", line.method->has_step ? step_text(m.step).c_str() : "-",
                       found->steady ? "" : " *");
   ImGui::TableNextColumn();
-  const ImU32 color = shown.recommended == cheapest ? palette::good : palette::text;
+  const ImU32 color = shown.recommended == cheapest ? palette().good : palette().text;
   ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color), "%s", ms_text(m.frame_ms).c_str());
   return clicked && apply_setting(document, state.accuracy, shown, *cheapest);
 }

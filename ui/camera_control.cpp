@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
+
+#include "render/scene/camera.h"
 
 namespace crest {
 namespace {
@@ -34,8 +37,6 @@ Basis basis_of(const Camera& camera) {
   b.up = glm::cross(b.right, b.forward);
   return b;
 }
-
-double half_height(const Camera& camera) { return std::tan(camera.fov_y_degrees * std::numbers::pi / 360); }
 
 }  // namespace
 
@@ -70,9 +71,15 @@ Camera roll(const Camera& camera, double radians) {
   return result;
 }
 
+Camera with_other_projection(Camera camera) {
+  camera.projection =
+      camera.projection == Projection::parallel ? Projection::perspective : Projection::parallel;
+  return camera;
+}
+
 Camera pan(const Camera& camera, glm::dvec2 share_of_height) {
   const Basis b = basis_of(camera);
-  const double height = 2 * half_height(camera) * b.distance;
+  const double height = 2 * half_height_at_target(camera);
   const glm::dvec3 shift = (b.right * share_of_height.x + b.up * share_of_height.y) * -height;
   Camera result = camera;
   result.eye += shift;
@@ -91,7 +98,9 @@ Camera dolly(const Camera& camera, double factor, double distance_min, double di
 std::optional<std::pair<glm::dvec2, glm::dvec2>> project_segment(const Camera& camera, double aspect,
                                                                  glm::dvec3 from, glm::dvec3 to) {
   const Basis b = basis_of(camera);
-  const double near_plane = 1e-3 * b.distance;
+  const double near_plane = camera.projection == Projection::parallel
+                                ? -std::numeric_limits<double>::infinity()
+                                : 1e-3 * b.distance;
   glm::dvec3 ends[2] = {from - camera.eye, to - camera.eye};
   double depth[2] = {glm::dot(ends[0], b.forward), glm::dot(ends[1], b.forward)};
   if (!(std::max(depth[0], depth[1]) > near_plane)) return std::nullopt;
@@ -101,9 +110,9 @@ std::optional<std::pair<glm::dvec2, glm::dvec2>> project_segment(const Camera& c
       ends[i] += (ends[1 - i] - ends[i]) * t;
       depth[i] = near_plane;
     }
-  const double scale = half_height(camera);
+  const HalfHeight half = half_height(camera);
   const auto onto_view = [&](int i) {
-    const double size = scale * depth[i];
+    const double size = half(depth[i]);
     return glm::dvec2(glm::dot(ends[i], b.right) / (size * aspect), glm::dot(ends[i], b.up) / size);
   };
   return std::pair{onto_view(0), onto_view(1)};

@@ -3,24 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/navigation.h"
 #include "ui/style.h"
 
 namespace crest {
 namespace {
 
 constexpr float width = 208, picture_height = 156, pad = 6, gap = 12;
-
-/// The text, or as much as fits with dots behind it.
-std::string cut(const std::string& text, float room) {
-  if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
-  std::string shorter = text;
-  while (!shorter.empty() && ImGui::CalcTextSize((shorter + "...").c_str()).x > room) {
-    // A character of UTF-8 goes whole
-    while (!shorter.empty() && (shorter.back() & 0xC0) == 0x80) shorter.pop_back();
-    if (!shorter.empty()) shorter.pop_back();
-  }
-  return shorter + "...";
-}
 
 }  // namespace
 
@@ -32,6 +21,7 @@ bool card(WidgetState& state, const Card& what) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), size = card_size();
   const bool pressed = ImGui::InvisibleButton(what.name.c_str(), size);
   note_item(state, what.name);
+  const ImGuiID id = ImGui::GetID(what.name.c_str());
   const bool is_hovered = ImGui::IsItemHovered();
   if (is_hovered && !what.tooltip.empty()) {
     ImGui::BeginTooltip();
@@ -44,19 +34,21 @@ bool card(WidgetState& state, const Card& what) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 high{low.x + size.x, low.y + size.y};
   const ImVec2 picture_high{high.x, low.y + scaled(picture_height)};
-  list.AddRectFilled(low, high, is_hovered ? palette::frame : IM_COL32(32, 35, 41, 255), scaled(4));
-  list.AddRectFilled(low, picture_high, palette::plot, scaled(4), ImDrawFlags_RoundCornersTop);
+  list.AddRectFilled(low, high, is_hovered ? palette().raised : palette().card, scaled(4));
+  list.AddRectFilled(low, picture_high, palette().plot, scaled(4), ImDrawFlags_RoundCornersTop);
   if (what.picture != 0)
     list.AddImageRounded(reinterpret_cast<ImTextureID>(what.picture), low, picture_high, {0, 0}, {1, 1},
                          IM_COL32_WHITE, scaled(4), ImDrawFlags_RoundCornersTop);
-  if (is_hovered) list.AddRect(low, high, palette::accent, scaled(4));
+  if (is_hovered) list.AddRect(low, high, palette().accent, scaled(4));
+
+  show_focus(id, low, high);
 
   const float room = size.x - scaled(2 * pad), line = ImGui::GetTextLineHeightWithSpacing();
   const ImVec2 at{low.x + scaled(pad), picture_high.y + scaled(pad)};
-  list.AddText(at, palette::text, cut(what.title, room).c_str());
+  list.AddText(at, palette().text, shortened(what.title, room).c_str());
   list.PushClipRect(low, high, true);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x, at.y + line}, palette::dim, what.text.c_str(),
-               nullptr, room);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x, at.y + line}, palette().secondary,
+               what.text.c_str(), nullptr, room);
   list.PopClipRect();
   return pressed;
 }

@@ -71,12 +71,12 @@ void choice_rows(const Document& document, StudioState& state, const StudioInput
                       choice.is_running ? "looking for the fastest setting" : "the fastest setting",
                       to_string(choice.is_running ? choice.target : target).c_str());
   if (!choice.error.empty()) {
-    wrapped(palette::error, "Nothing was chosen: " + choice.error);
+    wrapped(palette().error, "Nothing was chosen: " + choice.error);
     note_item(state.widgets, "choice error");
   }
   // Once the person has set something else, it tells of what is not there
   if (!choice.chosen || choice.chosen->rendering != document.preset.rendering) return;
-  wrapped(choice.chosen->meets_target ? palette::good : palette::warning,
+  wrapped(choice.chosen->meets_target ? palette().good : palette().warning,
           choice_text(choice, inputs.accuracy));
   note_item(state.widgets, choice.chosen->meets_target ? "chosen" : "chosen, target missed");
   if (state.views.exact) ImGui::TextDisabled("The views show the exact picture; X shows this one.");

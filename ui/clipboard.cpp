@@ -8,6 +8,8 @@
 namespace crest {
 namespace {
 
+constexpr double beside = 0.02;  // of what is in sight: how far pasted points go out of the way
+
 bool is_there(const TransferFunction& tf, const std::vector<ControlPoint>& points) {
   return std::ranges::any_of(points, [&](const ControlPoint& p) {
     return std::ranges::binary_search(tf.points, p.value, {}, &ControlPoint::value);
@@ -24,7 +26,19 @@ void copy_points(const TransferFunction& tf, const EditorState& editor) {
   ImGui::SetClipboardText(points_text(copied).c_str());
 }
 
-bool paste_points(TransferFunction& tf, EditorState& editor, ValueRange volume, double step) {
+bool delete_points(TransferFunction& tf, EditorState& editor) {
+  if (editor.selection.empty()) return false;
+  erase_points(tf, editor.selection);
+  editor.selection.clear();
+  return true;
+}
+
+bool cut_points(TransferFunction& tf, EditorState& editor) {
+  copy_points(tf, editor);
+  return delete_points(tf, editor);
+}
+
+bool paste_points(TransferFunction& tf, EditorState& editor, ValueRange volume, ValueRange visible) {
   const char* const text = ImGui::GetClipboardText();
   TransferFunction pasted;
   try {
@@ -35,7 +49,7 @@ bool paste_points(TransferFunction& tf, EditorState& editor, ValueRange volume, 
   }
   constexpr int most_steps = 1000;
   for (int i = 0; i < most_steps && is_there(tf, pasted.points); ++i)
-    for (ControlPoint& point : pasted.points) point.value += step;
+    for (ControlPoint& point : pasted.points) point.value += beside * visible.width();
   const std::size_t before = tf.points.size();
   std::vector<ControlPoint> all = tf.points;
   all.insert(all.end(), pasted.points.begin(), pasted.points.end());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/scene/exact.h"
+#include "ui/actions.h"
 #include "ui/style.h"
 #include "ui/view_caption.h"
 
@@ -17,24 +18,15 @@ constexpr float divider_reach = 7;  // pixels to either side
 
 ImTextureID id_of(std::uintptr_t texture) { return reinterpret_cast<ImTextureID>(texture); }
 
-/// On a dark ground, so that it can be read over any picture.
-void label(ImDrawList& list, ImVec2 at, const std::string& text) {
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const float pad = scaled(4);
-  list.AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + size.x + pad, at.y + size.y + pad / 2},
-                     IM_COL32(12, 13, 16, 190), pad);
-  list.AddText(at, palette::text, text.c_str());
-}
-
 void draw_divided(ImDrawList& list, const Comparison& comparison, std::uintptr_t left, std::uintptr_t right,
                   ImVec2 low, ImVec2 size) {
   const float share = comparison.divider, x = low.x + std::floor(size.x * share);
   list.AddImage(id_of(left), low, {x, low.y + size.y}, {0, 0}, {share, 1});
   list.AddImage(id_of(right), {x, low.y}, {low.x + size.x, low.y + size.y}, {share, 0}, {1, 1});
-  list.AddLine({x, low.y}, {x, low.y + size.y}, palette::text, 1);
+  list.AddLine({x, low.y}, {x, low.y + size.y}, IM_COL32_WHITE, 1);
   const float middle = low.y + size.y / 2, grip = scaled(5);
-  list.AddCircleFilled({x, middle}, grip, palette::accent);
-  list.AddCircle({x, middle}, grip, palette::text);
+  list.AddCircleFilled({x, middle}, grip, palette().accent);
+  list.AddCircle({x, middle}, grip, IM_COL32_WHITE);
 }
 
 std::string difference_text(const Comparison& comparison, const DifferencePicture& difference) {
@@ -126,7 +118,7 @@ void comparison_menu(int index, StudioState& state, const StudioInputs& inputs, 
     note_item(state.widgets, "##amplification");
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("Stop comparing", "Esc")) state.views.comparison.reset();
+  if (ImGui::MenuItem("Stop comparing", key_text_of("Back").c_str())) state.views.comparison.reset();
   note_item(state.widgets, "stop comparing");
 }
 
@@ -156,8 +148,9 @@ bool draw_comparison(StudioState& state, const StudioInputs& inputs, ImVec2 low,
   switch (comparison.kind) {
     case ComparisonKind::divider:
       draw_divided(list, comparison, own, other, low, size);
-      label(list, top, name);
-      label(list, {high.x - ImGui::CalcTextSize(other_name.c_str()).x - scaled(10), top.y}, other_name);
+      text_on_picture(list, top, name);
+      text_on_picture(list, {high.x - ImGui::CalcTextSize(other_name.c_str()).x - scaled(10), top.y},
+                      other_name);
       break;
     case ComparisonKind::difference:
     case ComparisonKind::signed_difference:
@@ -165,13 +158,13 @@ bool draw_comparison(StudioState& state, const StudioInputs& inputs, ImVec2 low,
         list.AddImage(id_of(inputs.difference.texture), low, high);
       else
         list.AddImage(id_of(own), low, high);
-      label(list, top, fmt::format("{} less {}", other_name, name));
-      label(list, {top.x, high.y - 2 * ImGui::GetFontSize() - scaled(24)},
-            difference_text(comparison, inputs.difference));
+      text_on_picture(list, top, fmt::format("{} less {}", other_name, name));
+      text_on_picture(list, {top.x, high.y - 2 * ImGui::GetFontSize() - scaled(24)},
+                      difference_text(comparison, inputs.difference));
       break;
     case ComparisonKind::blink:
       list.AddImage(id_of(shows_other ? other : own), low, high);
-      label(list, top, shows_other ? other_name : name);
+      text_on_picture(list, top, shows_other ? other_name : name);
       break;
   }
   return true;

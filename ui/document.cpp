@@ -2,6 +2,13 @@
 
 namespace crest {
 
+Preset new_preset() {
+  Preset preset;
+  preset.transfer_function = default_transfer_function();
+  preset.rendering.shading = Shading::gradient;
+  return preset;
+}
+
 std::string preset_label(const Document& document) {
   if (!document.preset_path.empty()) return document.preset_path.filename().string();
   return document.library_name.empty() ? "new preset" : document.library_name + " (library)";

@@ -16,6 +16,10 @@ struct Document {
   bool operator==(const Document&) const = default;
 };
 
+/// One that a person begins in the window: the default TF, with lit surfaces. The program's other commands
+/// begin without light.
+Preset new_preset();
+
 /// What the preset is called in titles: its file's name, "onion (library)", or "new preset".
 std::string preset_label(const Document& document);
 

@@ -98,16 +98,14 @@ void erase_points(TransferFunction& tf, const Selection& selection) {
   std::erase_if(tf.points, [&](const ControlPoint&) { return is_selected(selection, i++); });
 }
 
-glm::dvec3 peak_color(std::size_t n) {
-  constexpr double golden = 0.618033988749895;
-  const double hue = std::fmod(0.06 + double(n) * golden, 1.0);
-  const auto channel = [&](double offset) {
-    const double k = std::fmod(offset + hue * 6, 6.0);
-    return 0.98 - 0.68 * std::clamp(std::min(k, 4 - k), 0.0, 1.0);
-  };
-  const auto tidy = [](double v) { return std::round(v * 100) / 100; };
-  return {tidy(channel(5)), tidy(channel(3)), tidy(channel(1))};
+std::span<const glm::dvec3> peak_colors() {
+  static constexpr glm::dvec3 colors[] = {{0.90, 0.62, 0.00}, {0.34, 0.71, 0.91}, {0.80, 0.47, 0.65},
+                                          {0.00, 0.62, 0.45}, {0.94, 0.89, 0.26}, {0.00, 0.45, 0.70},
+                                          {0.84, 0.37, 0.00}};
+  return colors;
 }
+
+glm::dvec3 peak_color(std::size_t n) { return peak_colors()[n % peak_colors().size()]; }
 
 ValueRange range_in_domain(const TransferFunction& tf, ValueRange volume_range) {
   return tf.domain == Domain::normalized ? ValueRange{0, 1} : volume_range;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "presets/peaks.h"
@@ -41,7 +42,9 @@ std::size_t make_step(TransferFunction& tf, std::size_t point);
 
 void erase_points(TransferFunction& tf, const Selection& selection);
 
-/// A hue for the n-th peak that differs well from those before it.
+/// The colours that new peaks are given, in turn: those of Okabe and Ito, "Color Universal Design" (2008),
+/// which the colour-blind tell apart, without black.
+std::span<const glm::dvec3> peak_colors();
 glm::dvec3 peak_color(std::size_t n);
 
 /// The volume's range in the units of the TF's domain.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/actions.h"
 #include "ui/curve_beneath.h"
 #include "ui/number_field.h"
 #include "ui/point_tools.h"
@@ -15,6 +16,7 @@ namespace {
 
 /// The least width of a field for which its row has room, and of the rest of the row.
 constexpr float least_field = 60, rest_of_row = 250;
+constexpr float least_labelled = 500;  ///< of the toolbar's width, for a label in it
 
 std::vector<double> of_selected(const TransferFunction& tf, const Selection& selection,
                                 double ControlPoint::*field) {
@@ -126,11 +128,13 @@ bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widg
   };
   if (ImGui::Button("Add peak")) changed |= add_shape(tf, editor, Shape::spike, visible);
   note_item(widgets, "add peak");
-  tip("Adds a spike where there is most room; type where it is to be (also: P).\nThe right-click menu adds "
-      "one "
-      "under the mouse.");
+  tip(fmt::format("Adds a spike where there is most room; type where it is to be (also: {}).\n"
+                  "The right-click menu adds one under the mouse.",
+                  key_text_of(adding(Shape::spike)))
+          .c_str());
+  const bool is_roomy = ImGui::GetWindowContentRegionMax().x > scaled(least_labelled);
   ImGui::SameLine();
-  field_label("width");
+  if (is_roomy) field_label("width");
   double width = new_width(tf, editor, Shape::spike, visible);
   if (number_field(widgets, "##peak width", width, not_negative, scaled(66))) editor.new_peak_width = width;
   tip("Width of what is added, in values; 0 makes a true spike");
@@ -143,7 +147,10 @@ bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widg
     ImGui::EndPopup();
   }
   ImGui::SameLine();
-  value_curve_choice(editor, widgets);
+  const float rest = ImGui::CalcTextSize("logFit").x + ImGui::GetFrameHeight() +
+                     3 * ImGui::GetStyle().ItemSpacing.x + 2 * ImGui::GetStyle().FramePadding.x;
+  value_curve_choice(editor, widgets,
+                     std::clamp(ImGui::GetContentRegionAvail().x - rest, scaled(60), scaled(112)));
   ImGui::SameLine();
   ImGui::Checkbox("log", &editor.opacity_axis.logarithmic);
   note_item(widgets, "log opacity");
@@ -151,8 +158,10 @@ bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widg
   ImGui::SameLine();
   if (ImGui::Button("Fit")) editor.visible.reset();
   note_item(widgets, "fit");
-  tip("Shows all values (also: double-click on the axis).\nWheel zooms about the mouse, Ctrl+wheel "
-      "faster;\nmiddle drag or Shift+wheel pans; F shows the selected points");
+  tip(fmt::format("Shows all values (also: double-click on the axis).\nWheel zooms about the mouse, "
+                  "Ctrl+wheel faster;\nmiddle drag or Shift+wheel pans; {} shows the selected points",
+                  key_text_of("Zoom to the selected points"))
+          .c_str());
   return changed;
 }
 

@@ -61,7 +61,7 @@ void sentences(const char* heading, const std::vector<std::string>& list, ImU32 
 
 void list_of_formats(StudioState& state, float height) {
   ExportDialog& dialog = state.export_dialog;
-  ImGui::BeginChild("formats", {scaled(150), height}, true);
+  ImGui::BeginChild("formats", {scaled(150), height}, true, ImGuiWindowFlags_NavFlattened);
   for (int i = 0; i < int(exporters().size()); ++i) {
     const Exporter& exporter = exporters()[std::size_t(i)];
     if (ImGui::Selectable(std::string(exporter.name).c_str(), dialog.format == i,
@@ -102,7 +102,7 @@ void buttons(const Document& document, StudioState& state) {
   ExportDialog& dialog = state.export_dialog;
   const Exporter& exporter = exporters()[std::size_t(dialog.format)];
   const bool can_write = dialog.error.empty();
-  if (ImGui::Button("Choose the file...", {scaled(150), 0}) && can_write) {
+  if (default_button("Choose the file...", {scaled(150), 0}) && can_write) {
     dialog.to_write = {dialog.format, rows_of(dialog)};
     ask_for_file(state, document, FilePurpose::export_preset);
     state.file_dialog.name = stem_of(document) + std::string(exporter.extension);
@@ -132,15 +132,15 @@ void export_dialog(const Document& document, StudioState& state, const StudioInp
   update_sentences(document, inputs, dialog);
   list_of_formats(state, scaled(300));
   ImGui::SameLine();
-  ImGui::BeginChild("words", {0, scaled(300)}, true);
+  ImGui::BeginChild("words", {0, scaled(300)}, true, ImGuiWindowFlags_NavFlattened);
   const Exporter& exporter = exporters()[std::size_t(dialog.format)];
   ImGui::TextUnformatted(fmt::format("{}: {}", exporter.extension, exporter.summary).c_str());
   ImGui::Spacing();
   if (exporter.is_table) table_size(state);
   if (!dialog.error.empty())
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error), "%s", dialog.error.c_str());
-  sentences("Lost", dialog.losses, palette::accent);
-  sentences("There", dialog.advice, palette::dim);
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette().error), "%s", dialog.error.c_str());
+  sentences("Lost", dialog.losses, palette().accent);
+  sentences("There", dialog.advice, palette().secondary);
   ImGui::EndChild();
   preview(state, inputs, requests);
   buttons(document, state);

@@ -1,4 +1,5 @@
 #include "ui/feature_list.h"
+#include "ui/mode_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,9 +21,10 @@ void mode_row(StudioState& state, Mode listed) {
     const std::string name(name_of(mode));
     ImGui::PushStyleColor(
         ImGuiCol_Button, ImGui::GetStyleColorVec4(mode == listed ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
-    if (ImGui::Button((name + "##listed").c_str())) state.views.listed = mode;
+    if (ImGui::Button(fmt::format("{}##listed", title_of(mode)).c_str())) state.views.listed = mode;
     ImGui::PopStyleColor();
     note_item(state.widgets, "listed/" + name);
+    tip((name + " in files").c_str());
     ImGui::SameLine(0, scaled(3));
   }
   ImGui::EndDisabled();

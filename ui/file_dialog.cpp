@@ -199,7 +199,7 @@ std::optional<std::string> buttons(FileDialog& dialog, WidgetState& widgets) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
                        std::max(0.0F, ImGui::GetContentRegionAvail().x - 2 * button - spacing));
-  if (ImGui::Button(wording(dialog.purpose).button, {button, 0})) chosen = take(dialog);
+  if (default_button(wording(dialog.purpose).button, {button, 0})) chosen = take(dialog);
   note_item(widgets, "take file");
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {button, 0})) ImGui::CloseCurrentPopup();
@@ -229,7 +229,7 @@ std::optional<std::string> contents(FileDialog& dialog, WidgetState& widgets) {
     chosen = take(dialog);
   note_item(widgets, "file name");
   if (!dialog.error.empty())
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error), "%s", dialog.error.c_str());
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette().error), "%s", dialog.error.c_str());
   const auto decided = dialog.to_replace ? replace_question(dialog, widgets) : buttons(dialog, widgets);
   return decided ? decided : chosen;
 }

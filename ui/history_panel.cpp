@@ -39,11 +39,11 @@ bool history_panel(Document& document, StudioState& state, const StudioInputs& i
   ImGui::TextDisabled("click one to go there");
   History& history = state.history;
   std::optional<std::size_t> chosen;
-  ImGui::BeginChild("steps");
+  ImGui::BeginChild("steps", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   for (std::size_t i = 0; i < history.steps().size(); ++i) {
     const bool is_present = i == history.present(), is_undone = i > history.present();
     const std::string label = fmt::format("{}##{}", history.steps()[i].name, i);
-    if (is_undone) ImGui::PushStyleColor(ImGuiCol_Text, palette::faint);
+    if (is_undone) ImGui::PushStyleColor(ImGuiCol_Text, palette().secondary);
     if (ImGui::Selectable(label.c_str(), is_present)) chosen = i;
     if (is_undone) ImGui::PopStyleColor();
     note_item(state.widgets, fmt::format("history/{}", i));

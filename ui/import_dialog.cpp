@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/navigation.h"
 #include "ui/style.h"
 
 namespace crest {
@@ -20,7 +21,7 @@ void choose(ImportDialog& dialog, std::span<const Imported> all, int index) {
 }
 
 void list_of_presets(StudioState& state, std::span<const Imported> all) {
-  ImGui::BeginChild("imported", {0, scaled(220)}, true);
+  ImGui::BeginChild("imported", {0, scaled(220)}, true, ImGuiWindowFlags_NavFlattened);
   for (int i = 0; i < int(all.size()); ++i) {
     const Imported& one = all[std::size_t(i)];
     if (ImGui::Selectable(fmt::format("{}##{}", one.preset.name, i).c_str(), state.import_dialog.chosen == i,
@@ -76,7 +77,7 @@ void import_dialog(StudioState& state, const StudioInputs& inputs, StudioRequest
     ImGui::TextWrapped("%s", note.c_str());
   }
   ImGui::Spacing();
-  if (ImGui::Button("Import", {scaled(96), 0}))
+  if (default_button("Import", {scaled(96), 0}))
     requests.import_choice = {dialog.chosen, dialog.take, dialog.fit};
   note_item(state.widgets, "take import");
   ImGui::SameLine();

@@ -71,7 +71,7 @@ const LibraryEntry* cards(StudioState& state, std::span<const LibraryEntry> entr
     const bool is_opened = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (library.chosen == entry.name) {
       chosen = &entry;
-      ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), palette::accent,
+      ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), palette().accent,
                                           scaled(4), 0, scaled(2));
     }
     if (is_opened) library.open_chosen = true;
@@ -131,7 +131,7 @@ void library_window(StudioState& state, const StudioInputs& inputs, StudioReques
   search_row(state, inputs.library);
   ImGui::Separator();
   const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().ItemSpacing.y;
-  ImGui::BeginChild("cards", {0, -footer});
+  ImGui::BeginChild("cards", {0, -footer}, false, ImGuiWindowFlags_NavFlattened);
   const bool was_renaming = library.renamed.has_value();
   const LibraryEntry* chosen = cards(state, inputs.library, requests);
   ImGui::EndChild();

@@ -40,9 +40,9 @@ void show_reason(const std::string& why) {
   const ImVec2 low{left, ImGui::GetItemRectMax().y + scaled(2)};
   const ImVec2 high{low.x + text.x + 2 * pad.x, low.y + text.y + 2 * pad.y};
   ImDrawList& list = *ImGui::GetForegroundDrawList();
-  list.AddRectFilled(low, high, palette::plot, scaled(3));
-  list.AddRect(low, high, palette::error, scaled(3));
-  list.AddText({low.x + pad.x, low.y + pad.y}, palette::text, why.c_str());
+  list.AddRectFilled(low, high, palette().plot, scaled(3));
+  list.AddRect(low, high, palette().error, scaled(3));
+  list.AddText({low.x + pad.x, low.y + pad.y}, palette().text, why.c_str());
 }
 
 std::string number_why_not(double value, const FieldRule& rule) {
@@ -52,7 +52,10 @@ std::string number_why_not(double value, const FieldRule& rule) {
   return {};
 }
 
-/// Collects the characters of the frames in which the field is not active yet, and then hands them to it.
+bool escape_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
+
+}  // namespace
+
 void keep_typed_ahead(TypedAhead& ahead, ImGuiID id) {
   if (ahead.field != id) return;
   ImVector<ImWchar>& queue = ImGui::GetIO().InputQueueCharacters;
@@ -63,10 +66,6 @@ void keep_typed_ahead(TypedAhead& ahead, ImGuiID id) {
     for (const ImWchar c : ahead.characters) queue.push_back(c);
   if (is_ready || --ahead.frames < 0) ahead = {};
 }
-
-bool escape_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
-
-}  // namespace
 
 void open_next_field(WidgetState& state, const char* name) {
   ImGui::SetKeyboardFocusHere();
@@ -84,7 +83,7 @@ std::optional<NumberEdit> number_entry(WidgetState& state, const char* name, con
   const auto found = state.typed.find(id);
   std::string text = found != state.typed.end() ? found->second.text : is_refused ? refused->text : shown;
   keep_typed_ahead(state.ahead, id);
-  if (is_refused) ImGui::PushStyleColor(ImGuiCol_Text, palette::error);
+  if (is_refused) ImGui::PushStyleColor(ImGuiCol_Text, palette().error);
   ImGui::SetNextItemWidth(width);
   ImGui::InputText(name, &text, ImGuiInputTextFlags_AutoSelectAll);
   note_item(state, name);

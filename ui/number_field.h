@@ -17,6 +17,9 @@ namespace crest {
 /// Opens the field that comes next, to be typed in. What is typed until it is ready is not lost.
 void open_next_field(WidgetState& state, const char* name);
 
+/// Hands a field what was typed before it was ready. To be called just before it is drawn.
+void keep_typed_ahead(TypedAhead& ahead, ImGuiID id);
+
 /// A field that shows `shown`. Returns what was typed, if `why_not` has nothing against it.
 std::optional<NumberEdit> number_entry(WidgetState& state, const char* name, const std::string& shown,
                                        const std::function<std::string(const NumberEdit&)>& why_not,

@@ -11,6 +11,8 @@
 namespace crest {
 namespace {
 
+constexpr float small_table = 132;  ///< its side, unless the person wants it large
+
 ValueRange bin_range(const PeakTable& table, int bin) {
   const double width = table.range.width() / table.bins;
   return {table.range.min + bin * width, table.range.min + (bin + 1) * width};
@@ -42,7 +44,7 @@ void cell_tooltip(const PeakTable& table, std::span<const Peak> surfaces, int en
                 short_text(peak.opacity).c_str());
   }
   if (count > peaks_per_cell)
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::error),
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette().error),
                        "%d candidates: the first %d are listed", count, peaks_per_cell);
   ImGui::EndTooltip();
 }
@@ -51,12 +53,12 @@ void mark_cell(ImVec2 low, float side, const PeakTable& table, int entry, int ex
   const float cell = side / float(table.bins);
   const ImVec2 corner{low.x + float(entry) * cell, low.y + float(table.bins - 1 - exit) * cell};
   ImGui::GetWindowDrawList()->AddRect({corner.x - 1, corner.y - 1},
-                                      {corner.x + cell + 1, corner.y + cell + 1}, IM_COL32_WHITE);
+                                      {corner.x + cell + 1, corner.y + cell + 1}, palette().emphasis);
 }
 
 void draw_picture(ImDrawList& list, ImVec2 low, float side, const PeakTable& table,
                   std::span<const Peak> surfaces) {
-  constexpr ImU32 no_peak = IM_COL32(26, 28, 33, 255);
+  const ImU32 no_peak = palette().empty_cell;
   const float cell = side / float(table.bins);
   const auto edge = [&](int entry, int exit) {
     return ImVec2(low.x + float(entry) * cell, low.y + float(table.bins - exit) * cell);
@@ -66,7 +68,7 @@ void draw_picture(ImDrawList& list, ImVec2 low, float side, const PeakTable& tab
     list.AddRectFilled(edge(region.first_entry, region.last_exit + 1),
                        edge(region.last_entry + 1, region.first_exit),
                        packed(surfaces[std::size_t(region.peak)].color));
-  list.AddRect(low, {low.x + side, low.y + side}, palette::frame);
+  list.AddRect(low, {low.x + side, low.y + side}, palette().frame);
 }
 
 void hover_cell(StudioState& state, const PeakTable& table, std::span<const Peak> surfaces, ImVec2 low,
@@ -92,20 +94,20 @@ void draw_path(ImDrawList& list, ImVec2 low, float side, ValueRange range, const
       path.push_back({low.x + along(entry), low.y + side - along(exit)});
   }
   list.PushClipRect(low, {low.x + side, low.y + side}, true);
-  list.AddPolyline(path.data(), int(path.size()), IM_COL32(255, 255, 255, 110), ImDrawFlags_None, 1);
-  for (const ImVec2 at : path) list.AddCircleFilled(at, scaled(1.5F), IM_COL32(255, 255, 255, 220));
+  list.AddPolyline(path.data(), int(path.size()), palette().curve, ImDrawFlags_None, 1);
+  for (const ImVec2 at : path) list.AddCircleFilled(at, scaled(1.5F), palette().emphasis);
   list.PopClipRect();
 }
 
 /// Text turned to be read from below; `place` is where it begins, at the left of its letters' tops.
 void draw_upwards(ImDrawList& list, ImVec2 place, const char* text) {
   const int first = list.VtxBuffer.Size;
-  list.AddText(place, palette::dim, text);
+  list.AddText(place, palette().secondary, text);
   for (ImDrawVert* v = list.VtxBuffer.Data + first; v != list.VtxBuffer.Data + list.VtxBuffer.Size; ++v)
     v->pos = {place.x + (v->pos.y - place.y), place.y - (v->pos.x - place.x)};
 }
 
-void facts(const PeakTable& table) {
+void facts(const PeakTable& table, bool large) {
   ImGui::BeginGroup();
   ImGui::Text("%d x %d", table.bins, table.bins);
   ImGui::TextDisabled("entry and exit values");
@@ -117,6 +119,7 @@ void facts(const PeakTable& table) {
   ImGui::TextDisabled("A cell has the colour of the");
   ImGui::TextDisabled("peak that a ray meets first");
   ImGui::TextDisabled("between the two values.");
+  ImGui::TextDisabled("Click it: %s", large ? "small again" : "as large as there is room");
   ImGui::EndGroup();
 }
 
@@ -124,19 +127,22 @@ void facts(const PeakTable& table) {
 
 void peak_table_panel(const Document& document, StudioState& state, const StudioInputs& inputs) {
   if (!inputs.volume || inputs.surfaces.size() > std::size_t(most_table_peaks)) {
-    ImGui::TextDisabled(inputs.volume ? "There are too many surfaces for a table."
-                                      : "The table of entry and exit values appears with a volume.");
+    ImGui::TextDisabled(inputs.volume
+                            ? "There are too many surfaces for a table."
+                            : "The table of entry and exit values comes with a volume: Ctrl+O opens one.");
     return;
   }
   const PeakTable table =
       build_peak_table(inputs.surfaces, inputs.volume->statistics.range, document.preset.rendering.peak_bins);
   const ImVec2 room = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetFontSize(), gutter = line + scaled(6), strip = line + scaled(8);
-  const float side = std::floor(std::min(room.x - gutter - scaled(8), room.y - strip - scaled(4)));
+  const float whole = std::floor(std::min(room.x - gutter - scaled(8), room.y - strip - scaled(4)));
+  const float side = state.settings.large_peak_table ? whole : std::min(whole, scaled(small_table));
   if (side < scaled(40)) return;
   const ImVec2 low{corner.x + gutter, corner.y};
   ImGui::SetCursorScreenPos(low);
-  ImGui::InvisibleButton("##peak table", {side, side});
+  if (ImGui::InvisibleButton("##peak table", {side, side}))
+    state.settings.large_peak_table = !state.settings.large_peak_table;
   note_item(state.widgets, "peak table");
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -147,16 +153,17 @@ void peak_table_panel(const Document& document, StudioState& state, const Studio
   const auto text_width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   const std::string least = short_text(table.range.min), most = short_text(table.range.max);
   const float text_y = low.y + side + scaled(4);
-  list.AddText({low.x, text_y}, palette::dim, least.c_str());
-  list.AddText({low.x + side - text_width(most), text_y}, palette::dim, most.c_str());
+  list.AddText({low.x, text_y}, palette().secondary, least.c_str());
+  list.AddText({low.x + side - text_width(most), text_y}, palette().secondary, most.c_str());
   const bool roomy =
       std::max(text_width(least), text_width(most)) + scaled(8) < (side - text_width("entry value")) / 2;
   if (roomy)
-    list.AddText({low.x + (side - text_width("entry value")) / 2, text_y}, palette::dim, "entry value");
+    list.AddText({low.x + (side - text_width("entry value")) / 2, text_y}, palette().secondary,
+                 "entry value");
   draw_upwards(list, {corner.x, low.y + (side + text_width("exit value")) / 2}, "exit value");
   if (room.x - gutter - side > scaled(190)) {
     ImGui::SetCursorScreenPos({low.x + side + scaled(16), low.y});
-    facts(table);
+    facts(table, state.settings.large_peak_table);
   }
   if (hovered) hover_cell(state, table, inputs.surfaces, low, side);
 }

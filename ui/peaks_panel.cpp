@@ -114,7 +114,7 @@ bool eye_cell(TransferFunction& tf, const Peak& peak, std::size_t row, WidgetSta
       peak.shown ? "Shown as a surface: a click hides it" : "Not shown as a surface: a click shows it");
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   draw_eye(*ImGui::GetWindowDrawList(), {(low.x + high.x) / 2, (low.y + high.y) / 2}, peak.shown,
-           peak.shown ? palette::text : palette::faint);
+           peak.shown ? palette().text : palette().secondary);
   if (pressed) show_peak(tf, peak, !peak.shown);
   return pressed;
 }
@@ -224,8 +224,13 @@ void columns() {
 bool peaks_panel(Document& document, StudioState& state, const StudioInputs& inputs, float height) {
   TransferFunction& tf = document.preset.transfer_function;
   if (inputs.peaks.empty()) {
-    ImGui::TextDisabled("No peaks: a point higher than both its neighbours is one.");
-    ImGui::TextDisabled("Any point can be made a surface: right-click it.");
+    ImGui::TextUnformatted("No peaks yet.");
+    ImGui::PushTextWrapPos();
+    ImGui::TextDisabled(
+        "Add peak makes one at a value that you type; a click on a blue triangle under the "
+        "curve makes one where the volume has a boundary. Any point can be made a surface: "
+        "right-click it.");
+    ImGui::PopTextWrapPos();
     return false;
   }
   constexpr ImGuiTableFlags flags =

@@ -7,6 +7,7 @@
 
 #include "ui/plot.h"
 #include "ui/point_tools.h"
+#include "ui/shown_values.h"
 #include "ui/style.h"
 #include "ui/transfer_function_editor.h"
 
@@ -52,9 +53,7 @@ void draw_readout(const std::string& text, ImVec2 low, ImVec2 size) {
   const float gap = scaled(14), pad = scaled(4);
   const ImVec2 at{std::min(mouse.x + gap, low.x + size.x - extent.x - 2 * pad),
                   std::min(mouse.y + gap, low.y + size.y - extent.y - 2 * pad)};
-  list.AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + extent.x + pad, at.y + extent.y + pad / 2},
-                     IM_COL32(12, 13, 16, 210), pad);
-  list.AddText(at, palette::text, text.c_str());
+  text_on_picture(list, at, text);
 }
 
 /// Where the ray is that is inspected.
@@ -66,7 +65,7 @@ void draw_mark(const RayAsk& ask, ImVec2 low, ImVec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(low, {low.x + size.x, low.y + size.y}, true);
   list.AddCircle(at, scaled(6), IM_COL32(0, 0, 0, 180), 0, 3);
-  list.AddCircle(at, scaled(6), palette::accent, 0, 1.5F);
+  list.AddCircle(at, scaled(6), palette().accent, 0, 1.5F);
   list.PopClipRect();
 }
 
@@ -89,16 +88,19 @@ bool peak_item(Document& document, StudioState& state, const StudioInputs& input
   note_item(state.widgets, "make peak");
   if (!chosen) return false;
   TransferFunction& tf = document.preset.transfer_function;
-  const double in_domain = data_to_domain(tf, inputs.volume->statistics.range)(value);
-  const ValueRange visible = state.editor.visible.value_or(axis_range(tf, inputs.volume));
-  return add_shape(tf, state.editor, Shape::spike, in_domain, picked_opacity, visible);
+  return edit_shown(tf, state.settings, &inputs.volume->statistics.range, [&] {
+    const double in_domain = data_to_domain(tf, inputs.volume->statistics.range)(value);
+    const ValueRange visible = state.editor.visible.value_or(axis_range(tf, inputs.volume));
+    return add_shape(tf, state.editor, Shape::spike, in_domain, picked_opacity, visible);
+  });
 }
 
-void inspect(RayState& state, const RayAsk& ask, Mode mode) {
+void inspect(StudioState& studio, const RayAsk& ask, Mode mode) {
+  RayState& state = studio.ray;
   state.ask = ask;
   state.mode = mode;
   state.visible.reset();
-  state.asks_for_tab = true;
+  studio.asked_tab = "Ray";
 }
 
 /// A click that is not the first of two, which enlarge the view: known when the time for the second is over.
@@ -118,7 +120,7 @@ bool pick_menu(Document& document, StudioState& state, const StudioInputs& input
     changed |= peak_item(document, state, inputs, *other);
   if (!picked.surface && !picked.strongest) ImGui::TextDisabled("Nothing shows here");
   ImGui::Separator();
-  if (ImGui::MenuItem("Inspect the ray")) inspect(state.ray, here, mode);
+  if (ImGui::MenuItem("Inspect the ray")) inspect(state, here, mode);
   note_item(state.widgets, "inspect ray");
   ImGui::EndPopup();
   return changed;
@@ -153,7 +155,7 @@ bool pick_in_view(Document& document, StudioState& state, const StudioInputs& in
     if (io.MouseDown[0] || state.views.moves_divider)
       clicked.reset();
     else if (ImGui::GetTime() - clicked->time > double(io.MouseDoubleClickTime)) {
-      inspect(state.ray, clicked->ask, clicked->mode);
+      inspect(state, clicked->ask, clicked->mode);
       clicked.reset();
     }
   }

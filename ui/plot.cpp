@@ -87,9 +87,9 @@ void draw_opacity_axis(ImDrawList& list, const Plot& plot) {
   const float height = ImGui::GetFontSize();
   for (const double opacity : marks) {
     const float y = std::round(plot.y_of(opacity));
-    list.AddLine({plot.low.x, y}, {plot.high.x, y}, palette::grid);
+    list.AddLine({plot.low.x, y}, {plot.high.x, y}, palette().grid);
     const float text_y = std::clamp(y - height / 2, plot.low.y - height / 2, plot.high.y - height * 0.8F);
-    label(list, {plot.low.x - scaled(6), text_y}, 1, opacity_text(opacity).c_str(), palette::dim);
+    label(list, {plot.low.x - scaled(6), text_y}, 1, opacity_text(opacity).c_str(), palette().secondary);
   }
 }
 
@@ -99,22 +99,23 @@ void draw_value_axis(ImDrawList& list, const Plot& plot) {
   const float text_y = plot.high.y + scaled(5);
   for (const AxisTicks::Tick& tick : ticks.ticks) {
     const float x = std::round(plot.x_of(tick.value));
-    list.AddLine({x, plot.low.y}, {x, plot.high.y}, palette::grid);
-    list.AddLine({x, plot.high.y}, {x, plot.high.y + scaled(4)}, palette::faint);
+    list.AddLine({x, plot.low.y}, {x, plot.high.y}, palette().grid);
+    list.AddLine({x, plot.high.y}, {x, plot.high.y + scaled(4)}, palette().secondary);
     const float half = ImGui::CalcTextSize(tick.label.c_str()).x / 2;
     if (x + half > plot.high.x + scaled(8)) continue;
-    label(list, {x, text_y}, 0.5F, tick.label.c_str(), palette::dim);
+    label(list, {x, text_y}, 0.5F, tick.label.c_str(), palette().secondary);
   }
   if (!ticks.offset.empty())
     label(list, {plot.high.x, text_y + ImGui::GetFontSize() + scaled(1)}, 1, ticks.offset.c_str(),
-          palette::text);
+          palette().text);
 }
 
 void draw_diamond(ImDrawList& list, ImVec2 at, float radius, ImU32 color, bool filled) {
   const ImVec2 corners[] = {
       {at.x, at.y - radius}, {at.x + radius, at.y}, {at.x, at.y + radius}, {at.x - radius, at.y}};
   if (filled) list.AddConvexPolyFilled(corners, 4, color);
-  list.AddPolyline(corners, 4, filled ? palette::curve : palette::dim, ImDrawFlags_Closed, 1.2F);
+  list.AddPolyline(corners, 4, filled ? palette().curve : palette().secondary, ImDrawFlags_Closed,
+                   scaled(1.2F));
 }
 
 }  // namespace
@@ -139,7 +140,7 @@ std::optional<std::size_t> point_near(const Plot& plot, std::span<const ControlP
 }
 
 void draw_axes(ImDrawList& list, const Plot& plot) {
-  list.AddRectFilled(plot.low, plot.high, palette::plot);
+  list.AddRectFilled(plot.low, plot.high, palette().plot);
   draw_opacity_axis(list, plot);
   draw_value_axis(list, plot);
 }
@@ -151,7 +152,9 @@ ValueMap data_to_domain(const TransferFunction& tf, ValueRange data) {
 }
 
 void draw_columns(ImDrawList& list, const Plot& plot, ValueRange range, std::span<const float> heights,
-                  glm::dvec3 color, double alpha, ValueMap to_domain) {
+                  ImU32 packed_color, double alpha, ValueMap to_domain) {
+  const ImVec4 parts = ImGui::ColorConvertU32ToFloat4(packed_color);
+  const glm::dvec3 color(parts.x, parts.y, parts.z);
   const double columns = double(heights.size());
   const float height = (plot.high.y - plot.low.y) * column_share;
   std::vector<CurveVertex> outline;
@@ -175,7 +178,7 @@ void draw_curve(ImDrawList& list, const Plot& plot, const TransferFunction& tf) 
   std::vector<ImVec2> places;
   places.reserve(curve.size());
   for (const CurveVertex& v : curve) places.push_back(v.place);
-  list.AddPolyline(places.data(), int(places.size()), palette::curve, ImDrawFlags_None, 1.5F);
+  list.AddPolyline(places.data(), int(places.size()), palette().curve, ImDrawFlags_None, scaled(1.5F));
 }
 
 void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, std::span<const Peak> peaks) {
@@ -186,8 +189,8 @@ void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, 
     const float x = plot.x_of((first.value + last.value) / 2);
     if (x < plot.low.x - 1 || x > plot.high.x + 1) continue;
     const float y = plot.y_of(peak.opacity);
-    const ImU32 stem = peak.shown ? packed(first.color, 0.9) : palette::faint;
-    list.AddLine({x, plot.high.y}, {x, y}, stem, 1.5F);
+    const ImU32 stem = peak.shown ? packed(first.color, 0.9) : palette().secondary;
+    list.AddLine({x, plot.high.y}, {x, y}, stem, scaled(1.5F));
     draw_diamond(list, {x, y}, scaled(7), packed(first.color), peak.shown);
     const std::string text = short_text((first.value + last.value) / 2);
     const float width = ImGui::CalcTextSize(text.c_str()).x, height = ImGui::GetFontSize();
@@ -202,8 +205,8 @@ void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, 
     if (overlaps) continue;
     taken_low = {left, top};
     taken_high = {left + width, top + height};
-    list.AddText({std::round(left) + 1, std::round(top) + 1}, palette::plot, text.c_str());
-    list.AddText({std::round(left), std::round(top)}, peak.shown ? palette::text : palette::dim,
+    list.AddText({std::round(left) + 1, std::round(top) + 1}, palette().plot, text.c_str());
+    list.AddText({std::round(left), std::round(top)}, peak.shown ? palette().text : palette().secondary,
                  text.c_str());
   }
 }
@@ -215,9 +218,11 @@ void draw_points(ImDrawList& list, const Plot& plot, const TransferFunction& tf,
     const ImVec2 at = plot.place(tf.points[i]);
     if (at.x < plot.low.x - 8 || at.x > plot.high.x + 8) continue;
     const bool selected = std::binary_search(selection.begin(), selection.end(), i);
-    const float radius = scaled(selected || hovered == i ? 5.5F : many ? 2.5F : 4.5F);
-    const ImU32 ring = selected ? palette::accent : hovered == i ? IM_COL32_WHITE : palette::curve;
-    const float edge = selected ? scaled(2) : 1;
+    const float radius = scaled(selected ? 6.5F : hovered == i ? 5.5F : many ? 2.5F : 4.5F);
+    const ImU32 ring = selected || hovered == i ? palette().emphasis : palette().curve;
+    const float edge = scaled(selected ? 2 : 1);
+    // Seen beside points of any colour
+    if (selected && !many) list.AddCircle(at, scaled(12), palette().accent, 0, scaled(2.5F));
     const auto corner = [&](float r) {
       return std::pair{ImVec2(at.x - r, at.y - r), ImVec2(at.x + r, at.y + r)};
     };

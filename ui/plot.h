@@ -43,7 +43,7 @@ ValueMap data_to_domain(const TransferFunction& tf, ValueRange data);
 inline constexpr float column_share = 0.94F;
 /// Equal columns over a range of the volume's values as one filled shape.
 void draw_columns(ImDrawList& list, const Plot& plot, ValueRange range, std::span<const float> heights,
-                  glm::dvec3 color, double alpha, ValueMap to_domain);
+                  ImU32 color, double alpha, ValueMap to_domain);
 /// The curve, and the area under it in the TF's colours.
 void draw_curve(ImDrawList& list, const Plot& plot, const TransferFunction& tf);
 /// A stem and a diamond for each peak, filled when it is shown as a surface, and its value where there is

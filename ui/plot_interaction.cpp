@@ -245,24 +245,13 @@ bool handle_plot_mouse(TransferFunction& tf, EditorState& editor, const Plot& pl
 
 bool handle_plot_keys(TransferFunction& tf, EditorState& editor, const Plot& plot) {
   const ImGuiIO& io = ImGui::GetIO();
-  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
-  if (io.KeyCtrl && pressed(ImGuiKey_A)) {
-    editor.selection.clear();
-    for (std::size_t i = 0; i < tf.points.size(); ++i) editor.selection.push_back(i);
-  }
-  const int across = int(pressed(ImGuiKey_RightArrow)) - int(pressed(ImGuiKey_LeftArrow));
-  const int upward = int(pressed(ImGuiKey_UpArrow)) - int(pressed(ImGuiKey_DownArrow));
+  const auto pressed = [](int key) { return int(ImGui::IsKeyPressed(key)); };
+  const int across = pressed(key::right) - pressed(key::left), upward = pressed(key::up) - pressed(key::down);
   if (io.KeyCtrl) {
     if (across != 0) walk(editor.selection, tf.points.size(), across);
     return false;
   }
-  if (editor.selection.empty()) return false;
-  if (pressed(ImGuiKey_Delete) || pressed(ImGuiKey_Backspace)) {
-    erase_points(tf, editor.selection);
-    editor.selection.clear();
-    return true;
-  }
-  if (across == 0 && upward == 0) return false;
+  if (editor.selection.empty() || (across == 0 && upward == 0)) return false;
   const float pixels = io.KeyShift ? 10 : io.KeyAlt ? 0.1F : 1;
   const double per_pixel = plot.axis.value_per_pixel();
   const std::vector<ControlPoint> before = tf.points;

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ui/actions.h"
+#include "ui/clipboard.h"
 #include "ui/number_field.h"
 #include "ui/point_tools.h"
 #include "ui/transfer_function_editor.h"
@@ -36,11 +38,7 @@ bool point_menu(TransferFunction& tf, EditorState& editor, WidgetState& widgets)
     changed = true;
   }
   note_item(widgets, "Make step");
-  if (ImGui::MenuItem("Delete", "Del")) {
-    erase_points(tf, editor.selection);
-    editor.selection.clear();
-    changed = true;
-  }
+  if (ImGui::MenuItem("Delete", key_text_of("Delete").c_str())) changed |= delete_points(tf, editor);
   note_item(widgets, "Delete");
   return changed;
 }
@@ -80,7 +78,8 @@ bool plot_menus(Document& document, EditorState& editor, WidgetState& widgets, c
       changed |= points_menu(tf, editor, widgets, volume, visible);
       ImGui::EndMenu();
     }
-    if (!editor.selection.empty() && ImGui::MenuItem("Zoom to selection", "F"))
+    if (!editor.selection.empty() &&
+        ImGui::MenuItem("Zoom to selection", key_text_of("Zoom to the selected points").c_str()))
       frame_selection(document, editor, inputs);
     if (ImGui::MenuItem("Show all values")) editor.visible.reset();
     ImGui::EndPopup();

@@ -39,7 +39,9 @@ void draw_span(ImDrawList& list, const Plot& plot, ValueRange span, std::optiona
   const float margin = scaled(grip);
   const float low = plot.x_of(span.min), high = plot.x_of(span.max), middle = std::floor((top + bottom) / 2);
   list.PushClipRect({plot.low.x - margin, top - 1}, {plot.high.x + margin, bottom + 1}, true);
-  const auto color = [&](EditorDrag::Kind kind) { return held == kind ? palette::accent : palette::faint; };
+  const auto color = [&](EditorDrag::Kind kind) {
+    return held == kind ? palette().accent : palette().secondary;
+  };
   list.AddRectFilled({low, middle - scaled(2)}, {high, middle + scaled(2)}, color(EditorDrag::Kind::span));
   const float half = scaled(3);
   list.AddRectFilled({low - half, top}, {low + half, bottom}, color(EditorDrag::Kind::span_low), scaled(2));

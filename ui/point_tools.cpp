@@ -3,11 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 
+#include "ui/actions.h"
 #include "ui/arrange_points.h"
 #include "ui/clipboard.h"
 #include "ui/curve_beneath.h"
-#include "ui/keys.h"
 #include "ui/number_field.h"
 
 namespace crest {
@@ -16,8 +17,8 @@ namespace {
 constexpr double share_of_view = 0.02, wide_share = 0.1;  // widths of new shapes
 constexpr double new_opacity = 0.8;
 
-bool item(WidgetState& widgets, const char* text, const char* keys = nullptr, bool enabled = true) {
-  const bool chosen = ImGui::MenuItem(text, keys, false, enabled);
+bool item(WidgetState& widgets, const char* text, const std::string& keys = "", bool enabled = true) {
+  const bool chosen = ImGui::MenuItem(text, keys.c_str(), false, enabled);
   note_item(widgets, text);
   return chosen;
 }
@@ -33,15 +34,9 @@ bool copy_items(TransferFunction& tf, EditorState& editor, WidgetState& widgets,
                 ValueRange visible) {
   const bool any = !editor.selection.empty();
   bool changed = false;
-  if (item(widgets, "Copy", "Ctrl+C", any)) copy_points(tf, editor);
-  if (item(widgets, "Cut", "Ctrl+X", any)) {
-    copy_points(tf, editor);
-    erase_points(tf, editor.selection);
-    editor.selection.clear();
-    changed = true;
-  }
-  if (item(widgets, "Paste", "Ctrl+V"))
-    changed |= paste_points(tf, editor, volume, wide_share / 5 * visible.width());
+  if (item(widgets, "Copy", key_text_of("Copy"), any)) copy_points(tf, editor);
+  if (item(widgets, "Cut", key_text_of("Cut"), any)) changed |= cut_points(tf, editor);
+  if (item(widgets, "Paste", key_text_of("Paste"))) changed |= paste_points(tf, editor, volume, visible);
   return changed;
 }
 
@@ -79,9 +74,9 @@ bool align_items(TransferFunction& tf, EditorState& editor, WidgetState& widgets
 bool arrange_items(TransferFunction& tf, EditorState& editor, WidgetState& widgets) {
   const bool three = editor.selection.size() > 2;
   bool changed = align_items(tf, editor, widgets);
-  if (item(widgets, "Distribute values", nullptr, three))
+  if (item(widgets, "Distribute values", "", three))
     changed |= take(tf, editor, with_values_distributed(tf, editor.selection));
-  if (item(widgets, "Opacities on a line", nullptr, three)) {
+  if (item(widgets, "Opacities on a line", "", three)) {
     edit_above_curve(tf, [&] { interpolate_opacities(tf, editor.selection); });
     changed = true;
   }
@@ -121,6 +116,12 @@ void rule_items(EditorState& editor, WidgetState& widgets) {
 
 }  // namespace
 
+std::string adding(Shape shape) {
+  std::string label(label_of(shape));
+  if (shape != Shape::gaussian) label.front() = char(std::tolower(label.front()));
+  return "Add " + label;
+}
+
 double new_width(const TransferFunction& tf, const EditorState& editor, Shape shape, ValueRange visible) {
   const double share = (shape == Shape::spike ? share_of_view : wide_share) * visible.width();
   const double width = round_to_resolution(share, 0.1 * share);
@@ -146,13 +147,8 @@ bool add_shape(TransferFunction& tf, EditorState& editor, Shape shape, ValueRang
 
 bool shapes_menu(TransferFunction& tf, EditorState& editor, WidgetState& widgets, ValueRange visible) {
   bool changed = false;
-  for (const auto& [shape, keys] : {std::pair{Shape::spike, "P"},
-                                    {Shape::tent, ""},
-                                    {Shape::box, ""},
-                                    {Shape::gaussian, ""},
-                                    {Shape::ramp, ""},
-                                    {Shape::step, "S"}})
-    if (item(widgets, std::string(label_of(shape)).c_str(), keys))
+  for (const Shape shape : {Shape::spike, Shape::tent, Shape::box, Shape::gaussian, Shape::ramp, Shape::step})
+    if (item(widgets, std::string(label_of(shape)).c_str(), key_text_of(adding(shape))))
       changed |= add_shape(tf, editor, shape, visible);
   ImGui::Separator();
   ImGui::TextDisabled("Opacities of all; colours stay");
@@ -175,21 +171,6 @@ bool points_menu(TransferFunction& tf, EditorState& editor, WidgetState& widgets
   ImGui::Separator();
   rule_items(editor, widgets);
   return changed;
-}
-
-bool tool_keys(TransferFunction& tf, EditorState& editor, ValueRange volume, ValueRange visible) {
-  if (!ImGui::GetIO().KeyCtrl) {
-    if (key_pressed('P')) return add_shape(tf, editor, Shape::spike, visible);
-    if (key_pressed('S')) return add_shape(tf, editor, Shape::step, visible);
-    return false;
-  }
-  if (key_pressed('C') || key_pressed('X')) copy_points(tf, editor);
-  if (key_pressed('X') && !editor.selection.empty()) {
-    erase_points(tf, editor.selection);
-    editor.selection.clear();
-    return true;
-  }
-  return key_pressed('V') && paste_points(tf, editor, volume, wide_share / 5 * visible.width());
 }
 
 }  // namespace crest

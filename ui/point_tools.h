@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "ui/shapes.h"
 #include "ui/studio_state.h"
 
@@ -20,9 +22,8 @@ bool shapes_menu(TransferFunction& tf, EditorState& editor, WidgetState& widgets
 bool points_menu(TransferFunction& tf, EditorState& editor, WidgetState& widgets, ValueRange volume,
                  ValueRange visible);
 
-/// Where the selected points are copied, cut and pasted; P adds a spike and S a step. For when no text is
-/// being typed.
-bool tool_keys(TransferFunction& tf, EditorState& editor, ValueRange volume, ValueRange visible);
+/// "Add spike": the action that does.
+std::string adding(Shape shape);
 
 /// The width that a new shape gets: as typed, or a share of what is in sight; a spike's is no wider than it
 /// may be.

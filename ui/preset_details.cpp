@@ -68,7 +68,7 @@ bool preset_details(Document& document, StudioState& state) {
   }
   end_field("preset tags");
   ImGui::Spacing();
-  const bool is_done = ImGui::Button("Done", {scaled(104), 0});
+  const bool is_done = default_button("Done", {scaled(104), 0});
   note_item(state.widgets, "details done");
   ImGui::SameLine();
   ImGui::TextDisabled("Save keeps them in the preset's file");

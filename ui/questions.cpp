@@ -1,61 +1,13 @@
 #include "ui/questions.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "ui/history_panel.h"
 #include "ui/style.h"
 
 namespace crest {
-namespace {
-
-struct HelpLine {
-  const char* keys;
-  const char* meaning;
-};
-
-constexpr HelpLine help_lines[] = {
-    {"", "Transfer function"},
-    {"double-click", "add a point; on a point: its colour; on the axis: show all values"},
-    {"P, S", "add a spike, a step; then type its value"},
-    {"drag",
-     "move the selected points; Shift keeps the axis, Alt does not snap; on empty ground: select a box"},
-    {"bar over the plot", "drag: shift the selected points, or all; its ends stretch them"},
-    {"Ctrl+C, Ctrl+X, Ctrl+V", "copy, cut and paste points"},
-    {"Ctrl+click, Ctrl+A", "add to the selection, select all"},
-    {"arrows", "nudge by a pixel; Shift: by 10, Alt: by a tenth; Ctrl: next point"},
-    {"Delete", "remove the selected points"},
-    {"right-click", "menu: add a peak, step or other shape; surface auto, on or off"},
-    {"wheel", "zoom about the mouse; Ctrl: faster; Shift: pan"},
-    {"middle drag", "pan; also: drag the axis"},
-    {"F", "zoom to the selected points"},
-    {"blue triangle", "a value where the volume is steep: click to add a spike there"},
-    {"", "Views"},
-    {"left drag", "turn"},
-    {"middle or right drag", "move; also: Shift+left drag"},
-    {"wheel", "nearer, further"},
-    {"double-click", "enlarge a view, and back (Esc)"},
-    {"click", "inspect the pixel's ray"},
-    {"right-click", "select the peak that shows there, or make one"},
-    {"1 .. 4", "enlarge this view, and back"},
-    {"Ctrl+1 .. 4", "so many views"},
-    {"X", "the exact picture at rest, or as the settings have it"},
-    {"B", "how far each pixel of the exact picture may be off"},
-    {"R", "reset: the whole volume in view"},
-    {"", "Slices"},
-    {"left drag, wheel", "move the cursor; the next slice"},
-    {"", "Files"},
-    {"Ctrl+O, Ctrl+Shift+O", "open a volume, a preset"},
-    {"Ctrl+S, Ctrl+Shift+S", "save the preset, save it as"},
-    {"Ctrl+L", "the library of presets, as they look on this volume"},
-    {"Ctrl+P", "save a picture, or one turn"},
-    {"Ctrl+E", "export the preset for another program"},
-    {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo (also Ctrl+Y)"},
-    {"F5", "reload the shaders"},
-    {"Ctrl+Q", "quit"},
-};
-
-}  // namespace
-
 void center_next_window() {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});
@@ -110,13 +62,13 @@ void unsaved_question(Document& document, StudioState& state, const StudioInputs
   if (inputs.saved) change_list(*inputs.saved, document.preset, 8);
   ImGui::Spacing();
   const ImVec2 size{scaled(104), 0};
-  const auto button = [&](const char* text) {
-    const bool pressed = ImGui::Button(text, size);
+  const auto button = [&](const char* text, bool is_default = false) {
+    const bool pressed = is_default ? default_button(text, size) : ImGui::Button(text, size);
     note_item(state.widgets, text);
     if (pressed) ImGui::CloseCurrentPopup();
     return pressed;
   };
-  if (button("Save##quit")) {
+  if (button("Save##quit", true)) {
     if (document.preset_path.empty()) {
       state.leaving.once_saved = true;
       ask_for_file(state, document, FilePurpose::save_preset);
@@ -156,33 +108,6 @@ void file_question(StudioState& state, StudioRequests& requests) {
     let_go(state, requests);
   else if (!state.file_dialog.open)
     state.leaving = {};  // no name was given
-}
-
-void help_window(StudioState& state) {
-  constexpr const char* title = "Keys and mouse";
-  if (state.show_help) ImGui::OpenPopup(title);
-  state.show_help = false;
-  center_next_window();
-  bool open = true;
-  if (!ImGui::BeginPopupModal(title, &open, ImGuiWindowFlags_AlwaysAutoResize)) return;
-  for (const HelpLine& line : help_lines) {
-    if (*line.keys == '\0') {
-      ImGui::Spacing();
-      ImGui::PushStyleColor(ImGuiCol_Text, palette::accent);
-      ImGui::TextUnformatted(line.meaning);
-      ImGui::PopStyleColor();
-      continue;
-    }
-    ImGui::TextUnformatted(line.keys);
-    ImGui::SameLine(scaled(190));
-    ImGui::TextDisabled("%s", line.meaning);
-  }
-  ImGui::Spacing();
-  if (ImGui::Button("Close", {scaled(104), 0}) ||
-      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
-    ImGui::CloseCurrentPopup();
-  note_item(state.widgets, "close help");
-  ImGui::EndPopup();
 }
 
 }  // namespace crest

@@ -19,7 +19,4 @@ void ask_for_file(StudioState& state, const Document& document, FilePurpose purp
 /// The file dialog, and what becomes of its answer.
 void file_question(StudioState& state, StudioRequests& requests);
 
-/// The list of keys and mouse actions.
-void help_window(StudioState& state);
-
 }  // namespace crest

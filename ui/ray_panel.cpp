@@ -69,7 +69,7 @@ void move_axis(RayState& state, const ValueAxis& axis, ValueRange whole) {
 
 void readout(StudioState& state, const InspectedRay& ray, double depth) {
   const double value = ray.exact.value_at(depth);
-  std::string text = fmt::format("depth {}   field {}   exact opacity {:.4g}", short_text(depth),
+  std::string text = fmt::format("depth {}   value {}\nexact opacity {:.4g}", short_text(depth),
                                  short_text(value), ray.exact.opacity_at(depth));
   const auto behind = std::ranges::upper_bound(ray.steps, depth, {}, &TracedStep::depth);
   if (behind != ray.steps.begin()) text += fmt::format("   as drawn {:.4g}", std::prev(behind)->color.a);
@@ -92,8 +92,13 @@ void plots(StudioState& state, const StudioInputs& inputs, const InspectedRay& r
   draw_ray_plots(ray, inputs.surfaces, axis, corner, size);
   const double x = double(ImGui::GetIO().MousePos.x);
   if (ImGui::IsItemHovered() && x >= axis.left && x <= axis.left + axis.pixels) {
-    ImGui::GetWindowDrawList()->AddLine({float(x), corner.y}, {float(x), corner.y + size.y}, palette::grid);
+    ImGui::GetWindowDrawList()->AddLine({float(x), corner.y}, {float(x), corner.y + size.y}, palette().grid);
     readout(state, ray, axis.value_at(x));
+    const float width = ImGui::CalcTextSize(state.under_cursor.c_str()).x, gap = scaled(16);
+    const float right = corner.x + size.x - width - scaled(6);
+    text_on_picture(*ImGui::GetWindowDrawList(),
+                    {std::max(corner.x, std::min(float(x) + gap, right)), ImGui::GetIO().MousePos.y + gap},
+                    state.under_cursor);
   }
 }
 
@@ -101,8 +106,13 @@ void plots(StudioState& state, const StudioInputs& inputs, const InspectedRay& r
 
 void ray_panel(const Document& document, StudioState& state, const StudioInputs& inputs) {
   if (!state.ray.ask || !inputs.volume) {
-    ImGui::TextDisabled(inputs.volume ? "Click a pixel in a view to see what happens along its ray."
-                                      : "A ray is inspected in a volume: open one first.");
+    ImGui::TextUnformatted(inputs.volume ? "No ray yet." : "No volume is open.");
+    ImGui::PushTextWrapPos();
+    ImGui::TextDisabled("%s", inputs.volume
+                                  ? "Click a pixel in a view: its ray is shown with the samples taken, the "
+                                    "surfaces met and missed, and the opacity that builds up."
+                                  : "Volume > Open volume... (Ctrl+O), or drop a file here.");
+    ImGui::PopTextWrapPos();
     return;
   }
   mode_buttons(state);
@@ -116,9 +126,9 @@ void ray_panel(const Document& document, StudioState& state, const StudioInputs&
   ImGui::TextUnformatted(summary(ray).c_str());
   ImGui::PopTextWrapPos();
   note_item(state.widgets, "ray: " + summary(ray));
-  legend_entry("exact", palette::curve);
-  legend_entry("as the settings have it", palette::accent);
-  legend_entry("missed", palette::error);
+  legend_entry("exact", palette().curve);
+  legend_entry("as the settings have it", palette().accent);
+  legend_entry("missed", palette().error);
   if (ImGui::SmallButton("Save as CSV...")) ask_for_file(state, document, FilePurpose::save_ray);
   note_item(state.widgets, "save ray");
   plots(state, inputs, ray);

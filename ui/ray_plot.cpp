@@ -26,24 +26,24 @@ struct Frame {
 };
 
 void draw_frame(ImDrawList& list, const Frame& frame, const char* title) {
-  list.AddRectFilled(frame.low, frame.high, palette::plot);
+  list.AddRectFilled(frame.low, frame.high, palette().plot);
   const AxisTicks values = axis_ticks(frame.values, int((frame.high.y - frame.low.y) / scaled(28)));
   for (const auto& tick : values.ticks) {
     const float y = frame.y_of(tick.value);
-    list.AddLine({frame.low.x, y}, {frame.high.x, y}, palette::grid);
+    list.AddLine({frame.low.x, y}, {frame.high.x, y}, palette().grid);
     const float width = ImGui::CalcTextSize(tick.label.c_str()).x;
-    list.AddText({frame.low.x - width - scaled(5), y - ImGui::GetFontSize() / 2}, palette::dim,
+    list.AddText({frame.low.x - width - scaled(5), y - ImGui::GetFontSize() / 2}, palette().secondary,
                  tick.label.c_str());
   }
-  list.AddRect(frame.low, frame.high, palette::frame);
-  list.AddText({frame.low.x + scaled(6), frame.low.y + scaled(3)}, palette::dim, title);
+  list.AddRect(frame.low, frame.high, palette().frame);
+  list.AddText({frame.low.x + scaled(6), frame.low.y + scaled(3)}, palette().secondary, title);
 }
 
 void draw_depths(ImDrawList& list, const Frame& frame) {
   const AxisTicks ticks = axis_ticks(frame.depths.visible, int((frame.high.x - frame.low.x) / scaled(70)));
   for (const auto& tick : ticks.ticks) {
     const float x = frame.x_of(tick.value), width = ImGui::CalcTextSize(tick.label.c_str()).x;
-    list.AddText({x - width / 2, frame.high.y + scaled(3)}, palette::dim, tick.label.c_str());
+    list.AddText({x - width / 2, frame.high.y + scaled(3)}, palette().secondary, tick.label.c_str());
   }
 }
 
@@ -110,7 +110,7 @@ void draw_field(ImDrawList& list, const Frame& frame, const InspectedRay& ray,
       list.AddLine({frame.low.x, y}, {frame.high.x, y}, packed(peak.color, 0.8));
   }
   {
-    Line line(list, frame, palette::curve, 1.5F);
+    Line line(list, frame, palette().curve, 1.5F);
     for (const RayPlace& place : in_sight(ray.exact, frame.depths.visible))
       line.add(place.depth, place.value);
   }
@@ -123,28 +123,28 @@ void draw_field(ImDrawList& list, const Frame& frame, const InspectedRay& ray,
     for (const TracedStep& step : ray.steps) {
       if (step.depth < frame.depths.visible.min || step.depth > frame.depths.visible.max) continue;
       const double value = ray.exact.value_at(step.depth);
-      if (!std::isnan(value)) list.AddCircleFilled(frame.at(step.depth, value), scaled(2), palette::accent);
+      if (!std::isnan(value)) list.AddCircleFilled(frame.at(step.depth, value), scaled(2), palette().accent);
     }
   for (const CheckedCrossing& crossing : ray.crossings.exact) {
     const ImVec2 at = frame.at(crossing.depth, crossing.value);
     const float side = scaled(4);
     if (at.x < frame.low.x || at.x > frame.high.x) continue;
     if (crossing.found || ray.steps.empty()) {
-      list.AddCircle(at, side, palette::good, 0, 1.5F);
+      list.AddCircle(at, side, palette().good, 0, 1.5F);
     } else {
-      list.AddLine({at.x - side, at.y - side}, {at.x + side, at.y + side}, palette::error, 2);
-      list.AddLine({at.x - side, at.y + side}, {at.x + side, at.y - side}, palette::error, 2);
+      list.AddLine({at.x - side, at.y - side}, {at.x + side, at.y + side}, palette().error, 2);
+      list.AddLine({at.x - side, at.y + side}, {at.x + side, at.y - side}, palette().error, 2);
     }
   }
 }
 
 void draw_opacity(ImDrawList& list, const Frame& frame, const InspectedRay& ray) {
   {
-    Line line(list, frame, palette::curve, 1.5F);
+    Line line(list, frame, palette().curve, 1.5F);
     for (const RayPlace& place : in_sight(ray.exact, frame.depths.visible))
       line.add(place.depth, place.opacity);
   }
-  Line line(list, frame, palette::accent, 1.5F);
+  Line line(list, frame, palette().accent, 1.5F);
   for (const TracedStep& step : ray.steps) line.add(step.depth, double(step.color.a));
 }
 

@@ -8,11 +8,6 @@
 #include "ui/style.h"
 
 namespace crest {
-namespace {
-
-constexpr ImU32 ground = IM_COL32(66, 54, 26, 255);
-
-}  // namespace
 
 std::string age_text(double seconds) {
   constexpr std::pair<double, const char*> units[] = {
@@ -31,14 +26,15 @@ void recovery_banner(StudioState& state, const StudioInputs& inputs, StudioReque
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, pad = scaled(6);
   const float height = ImGui::GetFrameHeight() + 2 * pad;
-  ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + height}, ground, scaled(4));
+  ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + height}, palette().caution,
+                                            scaled(4));
   ImGui::SetCursorScreenPos({low.x + scaled(10), low.y + pad});
   ImGui::BeginGroup();
   ImGui::AlignTextToFramePadding();
   std::string text =
       fmt::format("Crest ended with unsaved changes to {}, {}.", offer.name, age_text(offer.age));
   if (offer.more > 0) text += fmt::format(" {} more after this.", offer.more);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette::warning);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().warning);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopStyleColor();
   if (!offer.volume.empty()) tip(("With " + offer.volume).c_str());

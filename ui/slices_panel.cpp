@@ -10,6 +10,7 @@
 #include "ui/edit_points.h"
 #include "ui/plot.h"
 #include "ui/point_tools.h"
+#include "ui/shown_values.h"
 #include "ui/style.h"
 #include "ui/transfer_function_editor.h"
 #include "ui/widgets.h"
@@ -40,7 +41,7 @@ void draw_cross(ImDrawList& list, ImVec2 low, ImVec2 size, const glm::dvec3& cur
   const glm::ivec2 axes = slice_axes(axis);
   const float x = low.x + float(cursor[axes.x]) * size.x, y = low.y + float(1 - cursor[axes.y]) * size.y;
   const float gap = scaled(5);
-  const ImU32 color = palette::accent;
+  const ImU32 color = palette().accent;
   list.AddLine({low.x, y}, {std::max(x - gap, low.x), y}, color);
   list.AddLine({std::min(x + gap, low.x + size.x), y}, {low.x + size.x, y}, color);
   list.AddLine({x, low.y}, {x, std::max(y - gap, low.y)}, color);
@@ -74,7 +75,7 @@ void slice_view(StudioState& state, const StudioInputs& inputs, SlicesWanted& wa
   if (const std::uintptr_t texture = inputs.slices[std::size_t(axis)])
     list.AddImage(reinterpret_cast<ImTextureID>(texture), low, high);
   draw_cross(list, low, size, cursor, axis);
-  list.AddRect(low, high, palette::frame);
+  list.AddRect(low, high, palette().frame);
 }
 
 bool probe(Document& document, StudioState& state, const StudioInputs& inputs) {
@@ -98,16 +99,18 @@ bool probe(Document& document, StudioState& state, const StudioInputs& inputs) {
   bool changed = false;
   if (value && ImGui::Button("Add a spike here")) {
     TransferFunction& tf = document.preset.transfer_function;
-    const ValueRange axis = axis_range(tf, inputs.volume);
-    const double on_axis = data_to_domain(tf, volume.statistics.range)(*value);
-    changed = add_shape(tf, state.editor, Shape::spike, round_to_resolution(on_axis, 1e-4 * axis.width()),
-                        0.8, axis);
+    changed = edit_shown(tf, state.settings, &volume.statistics.range, [&] {
+      const ValueRange axis = axis_range(tf, inputs.volume);
+      const double on_axis = data_to_domain(tf, volume.statistics.range)(*value);
+      return add_shape(tf, state.editor, Shape::spike, round_to_resolution(on_axis, 1e-4 * axis.width()), 0.8,
+                       axis);
+    });
   }
   if (value) {
     note_item(state.widgets, "add spike here");
     tip("A spike at the cursor's value");
   }
-  ImGui::TextDisabled("drag: the cursor; wheel: the slice");
+  ImGui::TextDisabled("Drag the cursor, turn the wheel");
   return changed;
 }
 
@@ -116,7 +119,7 @@ bool probe(Document& document, StudioState& state, const StudioInputs& inputs) {
 bool slices_panel(Document& document, StudioState& state, const StudioInputs& inputs,
                   StudioRequests& requests) {
   if (!inputs.volume) {
-    ImGui::TextDisabled("Open a volume to see slices of it");
+    ImGui::TextDisabled("No volume is open: Volume > Open volume... (Ctrl+O), or drop a file here.");
     return false;
   }
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "ui/actions.h"
 #include "ui/card.h"
 #include "ui/examples.h"
 #include "ui/questions.h"
@@ -24,24 +25,25 @@ void section(const char* text) {
 }
 
 void opening(const Document& document, StudioState& state) {
-  ImGui::SetWindowFontScale(1.8F);
+  ImGui::PushFont(font_of(TextSize::title));
   ImGui::TextUnformatted("Crest");
-  ImGui::SetWindowFontScale(1);
+  ImGui::PopFont();
   ImGui::TextDisabled("Open a volume, or drop a file anywhere on this window.");
   ImGui::Spacing();
   const ImVec2 size{scaled(126), scaled(32)};
-  const auto button = [&](const char* text, const char* keys, FilePurpose purpose) {
+  const auto button = [&](const char* text, FilePurpose purpose) {
     if (ImGui::Button(text, size)) ask_for_file(state, document, purpose);
+    if (purpose == FilePurpose::open_volume) take_focus(state.navigation, Area::views);
     note_item(state.widgets, fmt::format("start/{}", text));
-    tip(keys);
+    tip(key_text_of(text).c_str());
   };
-  button("Open volume...", "Ctrl+O", FilePurpose::open_volume);
+  button("Open volume...", FilePurpose::open_volume);
   ImGui::SameLine();
-  button("Open preset...", "Ctrl+Shift+O", FilePurpose::open_preset);
+  button("Open preset...", FilePurpose::open_preset);
   ImGui::SameLine();
   if (ImGui::Button("Library...", size)) state.library.asked = true;
   note_item(state.widgets, "start/Library...");
-  tip("Ctrl+L");
+  tip(key_text_of("Library...").c_str());
 }
 
 void example_cards(StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
@@ -83,7 +85,8 @@ void start_page(const Document& document, StudioState& state, const StudioInputs
                 StudioRequests& requests) {
   requests.shows_start_page = true;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(20), scaled(16)});
-  ImGui::BeginChild("start page", {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::BeginChild("start page", {0, 0}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
   ImGui::PopStyleVar();
   opening(document, state);
   section("Examples");

@@ -30,13 +30,13 @@ float loading_sign(StudioState& state, const std::string& source, StudioRequests
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFontSize(), width = scaled(80), moving = scaled(24), gap = scaled(8);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, palette::frame);
+  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, palette().frame);
   const float swing = 0.5F - 0.5F * float(std::cos(2 * ImGui::GetTime()));
   const float at = corner.x + (width - moving) * swing;
-  list.AddRectFilled({at, corner.y}, {at + moving, corner.y + height}, palette::accent);
+  list.AddRectFilled({at, corner.y}, {at + moving, corner.y + height}, palette().accent);
   const std::string text = fmt::format("Reading {} ...", source);
   const float text_width = ImGui::CalcTextSize(text.c_str()).x;
-  list.AddText({corner.x + width + gap, corner.y}, palette::text, text.c_str());
+  list.AddText({corner.x + width + gap, corner.y}, palette().text, text.c_str());
   ImGui::SetCursorScreenPos({corner.x + width + gap + text_width + gap, corner.y});
   requests.cancel_loading = ImGui::SmallButton("cancel");
   note_item(state.widgets, "cancel loading");
@@ -55,7 +55,7 @@ void status_bar(StudioState& state, const StudioInputs& inputs, StudioRequests& 
   const auto write_left = [&](const std::string& text, ImU32 color) {
     if (text.empty() || left >= right) return;
     list.PushClipRect({left, corner.y}, {right, corner.y + room.y + scaled(4)}, true);
-    list.AddText({left, corner.y}, color, text.c_str());
+    list.AddText({left, corner.y}, color, shortened(text, right - left).c_str());
     list.PopClipRect();
     left += width_of(text) + gap;
   };
@@ -65,13 +65,10 @@ void status_bar(StudioState& state, const StudioInputs& inputs, StudioRequests& 
     list.AddText({right - width, corner.y}, color, text.c_str());
     right -= width + gap;
   };
-  // An error is told first, and whole.
-  if (inputs.message_is_error) write_left(inputs.message, palette::error);
-  write_right(inputs.performance, palette::faint);
-  write_right(inputs.saving, palette::accent);
-  write_left(volume_text(inputs.volume), palette::dim);
-  write_right(state.under_cursor, palette::text);
-  if (!inputs.message_is_error) write_left(inputs.message, palette::text);
+  write_right(inputs.performance, palette().secondary);
+  write_right(inputs.saving, palette().accent);
+  write_left(volume_text(inputs.volume), palette().secondary);
+  if (!inputs.message_is_error) write_left(inputs.message, palette().text);
 }
 
 }  // namespace crest

@@ -7,11 +7,17 @@
 #include <cmath>
 
 #include "ui/accuracy_panel.h"
+#include "ui/actions.h"
+#include "ui/command_palette.h"
+#include "ui/edit_shown.h"
+#include "ui/error_banner.h"
 #include "ui/export_dialog.h"
+#include "ui/help_window.h"
 #include "ui/history_panel.h"
 #include "ui/import_dialog.h"
 #include "ui/library_window.h"
 #include "ui/menu_bar.h"
+#include "ui/opening_dialog.h"
 #include "ui/peak_table_panel.h"
 #include "ui/peaks_panel.h"
 #include "ui/picture_dialog.h"
@@ -21,6 +27,8 @@
 #include "ui/ray_panel.h"
 #include "ui/recovery_banner.h"
 #include "ui/rendering_panel.h"
+#include "ui/settings_window.h"
+#include "ui/shown_values.h"
 #include "ui/slices_panel.h"
 #include "ui/start_page.h"
 #include "ui/status_bar.h"
@@ -39,7 +47,8 @@ constexpr ImGuiWindowFlags fixed_window =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_NoScrollWithMouse;
-constexpr ImGuiWindowFlags fixed_child = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+constexpr ImGuiWindowFlags fixed_child =
+    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NavFlattened;
 
 /// The gap between two parts, which drags `share` of `length` pixels with it; `sign` is -1 where the part
 /// that has the share lies behind the gap.
@@ -52,7 +61,7 @@ void splitter(const char* name, bool upright, float sign, float& share, float le
   if (near) ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
   const ImVec2 delta = ImGui::GetIO().MouseDelta;
   if (held) share += sign * (upright ? delta.x : delta.y) / length;
-  const ImU32 color = near ? palette::accent : palette::frame;
+  const ImU32 color = near ? palette().accent : palette().frame;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = std::floor(gap / 2);
   if (upright)
@@ -73,10 +82,13 @@ bool peaks_and_table(Document& document, StudioState& state, const StudioInputs&
 
 /// One of the tabs; `panel` draws what is in it, and returns whether it changed the document.
 template <class Panel>
-bool tab(WidgetState& widgets, const char* name, Panel&& panel, bool comes_up = false) {
+bool tab(StudioState& state, const char* name, Panel&& panel) {
+  const bool comes_up = state.asked_tab == name;
+  if (comes_up) state.asked_tab = {};
   const bool open = ImGui::BeginTabItem(name, nullptr, comes_up ? ImGuiTabItemFlags_SetSelected : 0);
-  note_item(widgets, fmt::format("tab/{}", name));
+  note_item(state.widgets, fmt::format("tab/{}", name));
   if (!open) return false;
+  take_focus(state.navigation, Area::tabs);
   const bool changed = panel();
   ImGui::EndTabItem();
   return changed;
@@ -84,17 +96,19 @@ bool tab(WidgetState& widgets, const char* name, Panel&& panel, bool comes_up = 
 
 bool tabs(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   if (!ImGui::BeginTabBar("panels")) return false;
-  WidgetState& widgets = state.widgets;
-  bool changed = tab(widgets, "Peaks", [&] { return peaks_and_table(document, state, inputs); });
-  changed |= tab(widgets, "Points",
-                 [&] { return points_panel(document.preset.transfer_function, state.editor, widgets); });
-  changed |= tab(widgets, "Rendering", [&] { return rendering_panel(document, state, inputs, requests); });
-  changed |= tab(widgets, "Accuracy", [&] { return accuracy_panel(document, state, inputs, requests); });
-  changed |= tab(widgets, "Slices", [&] { return slices_panel(document, state, inputs, requests); });
-  changed |= tab(
-      widgets, "Ray", [&] { return ray_panel(document, state, inputs), false; },
-      std::exchange(state.ray.asks_for_tab, false));
-  changed |= tab(widgets, "History", [&] { return history_panel(document, state, inputs); });
+  bool changed = tab(state, "Peaks", [&] {
+    return in_shown_values(document, state, inputs, [&] { return peaks_and_table(document, state, inputs); });
+  });
+  changed |= tab(state, "Points", [&] {
+    return in_shown_values(document, state, inputs, [&] {
+      return points_panel(document.preset.transfer_function, state.editor, state.widgets);
+    });
+  });
+  changed |= tab(state, "Rendering", [&] { return rendering_panel(document, state, inputs, requests); });
+  changed |= tab(state, "Accuracy", [&] { return accuracy_panel(document, state, inputs, requests); });
+  changed |= tab(state, "Slices", [&] { return slices_panel(document, state, inputs, requests); });
+  changed |= tab(state, "Ray", [&] { return ray_panel(document, state, inputs), false; });
+  changed |= tab(state, "History", [&] { return history_panel(document, state, inputs); });
   ImGui::EndTabBar();
   return changed;
 }
@@ -104,10 +118,11 @@ bool side(Document& document, StudioState& state, const StudioInputs& inputs, St
   float& share = state.layout.editor_share;
   share = std::clamp(share, 0.25F, 0.80F);
   ImGui::BeginChild("editor", {0, std::floor(height * share)}, false, fixed_child);
-  bool changed = transfer_function_editor(document, state, inputs);
+  bool changed = in_shown_values(document, state, inputs,
+                                 [&] { return transfer_function_editor(document, state, inputs); });
   ImGui::EndChild();
   splitter("##editor height", false, 1, share, height);
-  ImGui::BeginChild("tabs");
+  ImGui::BeginChild("tabs", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   changed |= tabs(document, state, inputs, requests);
   ImGui::EndChild();
   return changed;
@@ -130,6 +145,7 @@ bool main_area(Document& document, StudioState& state, const StudioInputs& input
   else
     changed |= views_panel(document, state, inputs, requests);
   ImGui::EndChild();
+  error_banner(state, inputs, requests, ImGui::GetItemRectMin(), ImGui::GetItemRectSize().x);
   ImGui::SameLine(0, scaled(4));
   splitter("##side width", true, -1, share, width);
   ImGui::SameLine(0, scaled(4));
@@ -176,6 +192,9 @@ bool is_editing(const StudioState& state) {
 /// Esc closes the menu that was opened last; windows that ask something deal with it themselves.
 void close_menu_by_key(StudioState& state) {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.OpenPopupStack.Size < state.navigation.popups)
+    state.escape_taken = true;  // Dear ImGui closed it
+  if (state.escape_taken) return;
   if (context.OpenPopupStack.empty() || ImGui::IsAnyItemActive()) return;
   if (!ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
   const ImGuiWindow* window = context.OpenPopupStack.back().Window;
@@ -200,17 +219,23 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
     requests.quit = inputs.close_requested && !inputs.unsaved_changes;
     return requests;
   }
+  begin_navigation(state.navigation);
   state.editor.hovered_peak.reset();
   state.widgets.number_taken = false;
+  close_error_by_key(state, inputs, requests);
+  follow_shown_values(state, document.preset.transfer_function, inputs);
   state.widgets.take_typed = inputs.close_requested || takes_typed_text();
   if (state.widgets.refused) state.widgets.refused->is_shown = false;
-  requests.document_changed |= shortcuts(document, state, inputs, requests);
-  requests.document_changed |= menu_bar(document, state, inputs, requests);
+  const ActionContext context{document, state, inputs, requests};
+  requests.document_changed |= shortcuts(context);
+  requests.document_changed |= menu_bar(context);
   close_menu_by_key(state);
   requests.document_changed |= studio_window(document, state, inputs, requests);
   requests.lit_points = lit_points(state, inputs);
+  requests.document_changed |= command_palette(context);
   export_dialog(document, state, inputs, requests);
   import_dialog(state, inputs, requests);
+  opening_dialog(state, inputs, requests);
   picture_dialog(document, state, inputs);
   requests.document_changed |= preset_details(document, state);
   library_window(state, inputs, requests);
@@ -218,6 +243,9 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   file_question(state, requests);
   unsaved_question(document, state, inputs, requests);
   help_window(state);
+  about_window(state, inputs.version);
+  end_navigation(state.navigation);
+  settings_window(state);
   requests.show_visibility = is_visibility(state.editor.value_curve);
   if (!ImGui::IsAnyItemActive()) state.widgets.typed.clear();
   if (state.widgets.refused && !state.widgets.refused->is_shown) state.widgets.refused.reset();

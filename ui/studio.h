@@ -13,6 +13,8 @@
 
 #include "presets/exchange/importers.h"
 #include "presets/peaks.h"
+#include "render/files/open_choice.h"
+#include "render/files/raw_layout.h"
 #include "render/reference/visibility.h"
 #include "render/scene/picture_need.h"
 #include "render/slices/slice.h"
@@ -74,6 +76,21 @@ struct RecoveryOffer {
 };
 enum class RecoveryAnswer { restore, discard, later };
 
+/// The middle slice of a file of raw voxels, as a form says that they lie.
+struct RawPicture {
+  std::uintptr_t texture = 0;  ///< an ImTextureID, row 0 at the top; 0 while there is none
+  glm::ivec2 size{0};
+  ValueRange range{0, 0};  ///< of its values: from black to white
+  std::string error;       ///< why there is none
+};
+
+/// What must be chosen before a volume can be opened.
+struct Opening {
+  OpenChoice choice;
+  std::uint64_t file_bytes = 0;  ///< of raw voxels: the file's length
+  RawPicture picture;            ///< of the last preview_raw
+};
+
 /// One across each axis.
 inline constexpr int slice_count = 3;
 
@@ -103,6 +120,7 @@ struct StudioInputs {
   const AccuracyResults* accuracy = nullptr;         ///< null while nothing was ever measured
   const ChoiceResults* choice = nullptr;             ///< null while nothing was ever chosen
   std::string loading;                               ///< the volume that is being read; empty while none is
+  std::string version;                               ///< of the program
   std::string message;                               ///< the last news or error, one line
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
@@ -116,6 +134,7 @@ struct StudioInputs {
   /// opened.
   std::span<const Imported> imported;
   TfParts import_take = TfParts::both;
+  const Opening* opening = nullptr;  ///< null while there is nothing to choose
   std::optional<RecoveryOffer> recovery;
   bool unsaved_changes = false;   ///< of the preset, the camera aside: worth a question before they are lost
   const Preset* saved = nullptr;  ///< the preset as its file has it; null where it has none
@@ -134,9 +153,12 @@ struct LibraryRequest {
 /// Control points, first and last.
 using LitPoints = std::optional<std::pair<std::size_t, std::size_t>>;
 
-/// A picture to be saved: of one view, or of all that the grid shows.
+/// What a picture may be of, other than of one view.
+inline constexpr int picture_of_grid = -1, picture_of_editor = -2;
+
+/// A picture to be saved: of one view, of all that the grid shows, or of the transfer-function editor.
 struct PictureAsk {
-  int view = -1;  ///< -1: the grid
+  int view = picture_of_grid;
   glm::ivec2 size{0};
   int turntable = 1;  ///< pictures of one turn
   std::filesystem::path path;
@@ -160,6 +182,8 @@ struct StudioRequests {
   };
   std::optional<Export> export_preset;
   bool cancel_loading = false;
+  bool cancel_opening = false;           ///< nothing is chosen; open_volume says what is
+  std::optional<RawLayout> preview_raw;  ///< of the file that is to be opened, as long as it is to be seen
   bool close_volume = false;
   bool shows_start_page = false;  ///< in place of the views
   bool shows_library = false;     ///< its presets' pictures are wanted
@@ -177,8 +201,9 @@ struct StudioRequests {
   std::optional<RayAsk> hovered;                     ///< the pixel under the mouse
   std::optional<std::filesystem::path> save_ray;     ///< the inspected ray, as a table
   std::optional<PictureAsk> save_picture;
-  std::string problem;    ///< with what the person asked for, which the panels found themselves
-  bool animates = false;  ///< something in the window changes by itself, at blink_s
+  bool close_message = false;  ///< the error was read
+  std::string problem;         ///< with what the person asked for, which the panels found themselves
+  bool animates = false;       ///< something in the window changes by itself, at blink_s
   /// Control points, first and last, whose surface is lit while the mouse rests on it in the list.
   LitPoints lit_points;
   bool document_changed = false;       ///< by this frame: an edit, undo or redo
@@ -189,6 +214,7 @@ struct StudioRequests {
   std::optional<TargetError> choose;   ///< a setting that keeps this error
   bool stop_choosing = false;
   std::optional<RecoveryAnswer> recovery;  ///< of the one that is offered; `later` of all
+  std::optional<std::string> open_manual;  ///< a page of it, without ".md"; empty: where it begins
   bool quit = false;                       ///< the person was asked about unsaved changes
   bool reload_shaders = false;
 };

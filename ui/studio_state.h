@@ -13,6 +13,8 @@
 #include "ui/editor_state.h"
 #include "ui/file_dialog.h"
 #include "ui/history.h"
+#include "ui/navigation.h"
+#include "ui/settings.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -48,7 +50,6 @@ struct ClickedPixel {
 struct RayState {
   std::optional<RayAsk> ask;  ///< the ray that is inspected
   Mode mode = Mode::peak_xor_dvr;
-  bool asks_for_tab = false;
   Picked picked;      ///< where the menu of a view was opened
   RayAsk under_menu;  ///< there
   std::optional<ClickedPixel> clicked;
@@ -118,8 +119,9 @@ struct LibraryState {
 
 /// What is chosen for a picture that is saved.
 struct PictureDialog {
-  bool asked = false;      ///< to be opened in the next frame
-  glm::ivec2 as_shown{0};  ///< the size of a view, in the last frame
+  bool asked = false;  ///< to be opened in the next frame
+  glm::ivec2 as_shown{0},
+      editor_as_shown{0};  ///< sizes of a view and of the editor's plot, in the last frame
   PictureAsk ask;
 };
 
@@ -127,6 +129,28 @@ struct ImportDialog {
   int chosen = -1;  ///< none yet
   TfParts take = TfParts::both;
   bool fit = false;  ///< over the range of the preset's points
+};
+
+/// The command palette.
+struct PaletteState {
+  bool asked = false;  ///< to be opened in the next frame
+  std::string typed{};
+  int selected = 0;                   ///< of the rows that fit
+  bool comes_in_sight = false;        ///< the selected row does
+  std::vector<std::string> chosen{};  ///< names of actions, the newest first
+};
+
+/// Of the panels below the editor.
+inline constexpr const char* tab_names[] = {"Peaks",  "Points", "Rendering", "Accuracy",
+                                            "Slices", "Ray",    "History"};
+
+/// What is chosen of a file's components, frames or series, or typed about its raw voxels.
+struct OpeningState {
+  std::optional<OpenChoice> about;  ///< what the rest is for
+  int chosen = 0;
+  bool scroll = false;  ///< to the chosen one
+  RawLayout layout;
+  std::vector<RawGuess> guesses;
 };
 
 struct StudioState {
@@ -140,17 +164,23 @@ struct StudioState {
   FileDialog file_dialog;
   ExportDialog export_dialog;
   ImportDialog import_dialog;
+  OpeningState opening;
   PictureDialog picture_dialog;
   glm::dvec3 slice_cursor{0.5};  ///< SlicesWanted::cursor
   PresetDetails details;
   LibraryState library;
-  bool show_help = false;
-  bool escape_taken = false;  ///< in this frame: what Esc was for is done
-  bool quit_asked = false;    ///< the person wants to leave
-  Leaving leaving;            ///< what the question about unsaved changes is about
-  std::size_t shown_step{};   ///< of the history, to which its list was last scrolled
-  double camera_moved = -1;   ///< when the wheel last moved the camera, in Dear ImGui's seconds
-  std::string under_cursor;   ///< what the status bar tells of the place under the mouse
+  StudioSettings settings;  ///< the program keeps them
+  bool settings_asked = false;
+  PaletteState palette;
+  NavigationState navigation;
+  bool show_help = false, show_about = false;
+  std::string_view asked_tab;  ///< of tab_names: it comes up in the next frame
+  bool escape_taken = false;   ///< in this frame: what Esc was for is done
+  bool quit_asked = false;     ///< the person wants to leave
+  Leaving leaving;             ///< what the question about unsaved changes is about
+  std::size_t shown_step{};    ///< of the history, to which its list was last scrolled
+  double camera_moved = -1;    ///< when the wheel last moved the camera, in Dear ImGui's seconds
+  std::string under_cursor;    ///< what is told at the mouse
 };
 
 }  // namespace crest

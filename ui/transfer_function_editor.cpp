@@ -11,6 +11,7 @@
 #include "ui/plot_interaction.h"
 #include "ui/plot_menu.h"
 #include "ui/point_tools.h"
+#include "ui/shown_values.h"
 #include "ui/snap.h"
 #include "ui/style.h"
 #include "ui/value_curves.h"
@@ -19,6 +20,8 @@ namespace crest {
 namespace {
 
 ValueRange volume_range(const Volume* volume) { return volume ? volume->statistics.range : ValueRange{0, 1}; }
+
+}  // namespace
 
 Plot make_plot(const EditorState& editor, ImVec2 corner, ImVec2 size, ValueRange visible) {
   Plot plot;
@@ -31,44 +34,103 @@ Plot make_plot(const EditorState& editor, ImVec2 corner, ImVec2 size, ValueRange
   return plot;
 }
 
-void draw_plot(const TransferFunction& tf, EditorState& editor, const Plot& plot,
-               const StudioInputs& inputs) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+void draw_plot_content(ImDrawList& list, const TransferFunction& tf, EditorState& editor, const Plot& plot,
+                       const StudioInputs& inputs) {
   draw_axes(list, plot);
   list.PushClipRect(plot.low, plot.high, true);
   const ValueMap to_domain = data_to_domain(tf, volume_range(inputs.volume));
   draw_value_curve(list, plot, editor, inputs, to_domain);
   draw_curve(list, plot, tf);
   draw_peaks(list, plot, tf, inputs.peaks);
+  list.PopClipRect();
+  list.AddRect(plot.low, plot.high, palette().frame);
+}
+
+namespace {
+
+void draw_plot(const TransferFunction& tf, EditorState& editor, const Plot& plot,
+               const StudioInputs& inputs) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_plot_content(list, tf, editor, plot, inputs);
+  list.PushClipRect(plot.low, plot.high, true);
+  const ValueMap to_domain = data_to_domain(tf, volume_range(inputs.volume));
   draw_suggested_peaks(list, editor, inputs, plot, to_domain);
   list.PopClipRect();
-  list.AddRect(plot.low, plot.high, palette::frame);
   const float margin = scaled(8);
   list.PushClipRect({plot.low.x - margin, plot.low.y - margin}, {plot.high.x + margin, plot.high.y + margin},
                     true);
   if (editor.drag.snapped) {
     const float x = plot.x_of(*editor.drag.snapped);
-    list.AddLine({x, plot.low.y}, {x, plot.high.y}, palette::accent);
+    list.AddLine({x, plot.low.y}, {x, plot.high.y}, palette().accent);
   }
   const bool free = ImGui::IsItemHovered() && editor.drag.kind == EditorDrag::Kind::none;
   draw_points(list, plot, tf, editor.selection,
               free ? point_near(plot, tf.points, ImGui::GetIO().MousePos) : std::nullopt);
   if (editor.drag.kind == EditorDrag::Kind::box && editor.drag.under_way)
-    list.AddRect(editor.drag.start, ImGui::GetIO().MousePos, palette::accent);
+    list.AddRect(editor.drag.start, ImGui::GetIO().MousePos, palette().accent);
   list.PopClipRect();
   const ValueRange span = span_of(tf, editor.selection);
   draw_span(list, plot, span,
             free ? span_handle_at(plot, span, ImGui::GetIO().MousePos) : std::optional(editor.drag.kind));
   if (!editor.note.empty())
-    list.AddText({plot.low.x + scaled(6), plot.high.y - ImGui::GetFontSize() - scaled(4)}, palette::warning,
+    list.AddText({plot.low.x + scaled(6), plot.high.y - ImGui::GetFontSize() - scaled(4)}, palette().warning,
                  editor.note.c_str());
 }
 
-std::string place_text(const TransferFunction& tf, const Plot& plot) {
+/// What is at the mouse, in lines.
+std::string place_text(const TransferFunction& tf, const EditorState& editor, const StudioInputs& inputs,
+                       const Plot& plot, ValueMap to_domain) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const double value = round_to_resolution(plot.axis.value_at(mouse.x), plot.axis.value_per_pixel());
-  return fmt::format("value {}   curve {:.3g}   cursor {:.3g}", exact_text(value),
-                     evaluate(tf, value).opacity, plot.opacity_at(mouse.y));
+  std::string text = fmt::format("value {}\nopacity {:.3g}, here {:.3g}", exact_text(value),
+                                 evaluate(tf, value).opacity, plot.opacity_at(mouse.y));
+  if (!inputs.volume) return text;
+  const std::string of_value =
+      value_curve_text(editor, inputs, (plot.axis.value_at(mouse.x) - to_domain.offset) / to_domain.scale);
+  return of_value.empty() ? text : text + "\n" + of_value;
+}
+
+/// Beside the mouse, on the side where there is room.
+void draw_readout(const Plot& plot, const std::string& text) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos, size = ImGui::CalcTextSize(text.c_str());
+  const float gap = scaled(16);
+  const bool fits = mouse.x + gap + size.x + scaled(6) < plot.high.x;
+  const ImVec2 at{fits ? mouse.x + gap : mouse.x - gap - size.x,
+                  std::clamp(mouse.y + gap, plot.low.y + scaled(4),
+                             std::max(plot.low.y + scaled(4), plot.high.y - size.y - scaled(4)))};
+  text_on_picture(*ImGui::GetWindowDrawList(), at, text);
+}
+
+/// Which values the axis is in.
+void value_switch(const TransferFunction& tf, StudioState& state, const StudioInputs& inputs) {
+  const auto option = [&](const char* text, const char* name, bool data, const char* meaning) {
+    const bool is_on = tf.domain == (data ? Domain::data : Domain::normalized);
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetStyleColorVec4(is_on ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
+    if (ImGui::Button(text)) state.settings.data_values = data;
+    ImGui::PopStyleColor();
+    note_item(state.widgets, name);
+    tip(meaning);
+  };
+  ImGui::BeginDisabled(!inputs.volume);
+  option("Data", "values/data", true, "The axis and all fields are in the volume's values");
+  ImGui::SameLine(0, scaled(2));
+  option("0 to 1", "values/normalized", false, "From the volume's least value, 0, to its greatest, 1");
+  ImGui::EndDisabled();
+}
+
+/// What is seen of the axis, and widths, belong to the values that it is in.
+void follow_shown_values(EditorState& editor, const TransferFunction& stored, Domain shown,
+                         const Volume* volume) {
+  std::optional<ValueRange> converted;
+  if (volume && stored.domain != shown) converted = volume->statistics.range;
+  const bool is_same =
+      converted.has_value() == editor.converted.has_value() &&
+      (!converted || (converted->min == editor.converted->min && converted->max == editor.converted->max));
+  if (is_same) return;
+  editor.converted = converted;
+  editor.visible.reset();
+  editor.new_peak_width.reset();
 }
 
 /// A press ends what was noted, and may begin a drag that snaps to what the volume has.
@@ -90,6 +152,10 @@ ValueRange axis_range(const TransferFunction& tf, const Volume* volume) {
   return whole_range(volume || tf.domain == Domain::normalized ? range : span, span);
 }
 
+ValueRange visible_values(const TransferFunction& tf, const EditorState& editor, const Volume* volume) {
+  return editor.visible.value_or(axis_range(tf, volume));
+}
+
 void frame_selection(const Document& document, EditorState& editor, const StudioInputs& inputs) {
   const TransferFunction& tf = document.preset.transfer_function;
   if (editor.selection.empty()) return editor.visible.reset();
@@ -105,6 +171,11 @@ void frame_selection(const Document& document, EditorState& editor, const Studio
   const double middle = (low + high) / 2;
   const double width = std::max((high - low) * 1.6, whole.width() * deepest_zoom);
   editor.visible = pan(zoom({middle - width / 2, middle + width / 2}, whole, middle, 1), whole, 0);
+}
+
+void follow_shown_values(StudioState& state, const TransferFunction& stored, const StudioInputs& inputs) {
+  follow_shown_values(state.editor, stored, shown_domain(stored, state.settings, inputs.volume != nullptr),
+                      inputs.volume);
 }
 
 bool transfer_function_editor(Document& document, StudioState& state, const StudioInputs& inputs) {
@@ -127,6 +198,13 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   Plot plot = make_plot(editor, corner, size, visible);
+  const ImVec2 pixel = ImGui::GetIO().DisplayFramebufferScale;
+  state.picture_dialog.editor_as_shown = {int(size.x * std::max(pixel.x, 1.0F)),
+                                          int(size.y * std::max(pixel.y, 1.0F))};
+
+  take_focus(state.navigation, Area::editor);
+  const ImGuiID id = ImGui::GetID("##plot");
+  const bool has_arrows = takes_arrows(state.navigation) || !is_navigating();
   state.widgets.items["plot"] = {plot.low, plot.high};
   for (std::size_t i = 0; i < tf.points.size(); ++i) {
     const ImVec2 at = plot.place(tf.points[i]);
@@ -141,20 +219,16 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
     changed = true;
   else
     changed |= handle_plot_mouse(tf, editor, plot, whole);
-  if (ImGui::IsItemHovered()) {
-    const double value = plot.axis.value_at(ImGui::GetIO().MousePos.x);
-    state.under_cursor = place_text(tf, plot) + "   " +
-                         value_curve_text(editor, inputs, (value - to_domain.offset) / to_domain.scale);
-  }
+  if (ImGui::IsItemHovered()) state.under_cursor = place_text(tf, editor, inputs, plot, to_domain);
   const bool keys_are_free = !ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() &&
                              !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-  if (keys_are_free) {
-    changed |= handle_plot_keys(tf, editor, plot);
-    changed |= tool_keys(tf, editor, volume_range(inputs.volume), visible);
-    if (ImGui::IsKeyPressed('F', false) && !ImGui::GetIO().KeyCtrl) frame_selection(document, editor, inputs);
-  }
+  if (keys_are_free && has_arrows) changed |= handle_plot_keys(tf, editor, plot);
   draw_plot(tf, editor, plot, inputs);
+  show_focus(id, plot.low, plot.high);
+  if (ImGui::IsItemHovered() && !state.under_cursor.empty()) draw_readout(plot, state.under_cursor);
   changed |= plot_menus(document, editor, state.widgets, inputs, visible);
+  value_switch(tf, state, inputs);
+  ImGui::SameLine();
   changed |= unit_fields(tf, state.widgets);
   ImGui::SameLine();
   if (ImGui::ArrowButton("##peak rule", editor.peak_rule ? ImGuiDir_Down : ImGuiDir_Right))

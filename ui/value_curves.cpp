@@ -21,8 +21,6 @@ constexpr double log_decades = 4;  // below the greatest, of what is no count
 constexpr std::size_t most_marks = 8;
 constexpr double same_value = 0.01;  // of the volume's range: a peak so near is the one that is suggested
 constexpr float mark_reach = 7;      // pixels
-constexpr glm::dvec3 column_color = glm::dvec3(54, 62, 76) / 255.0,
-                     surface_color = glm::dvec3(70, 112, 150) / 255.0;
 
 bool is_logarithmic(ValueCurve curve) {
   return curve == ValueCurve::log_values || curve == ValueCurve::log_visibility ||
@@ -124,15 +122,16 @@ void draw_surface_columns(ImDrawList& list, const Plot& plot, const Visibility& 
     if (!(visibility.surface[i] > 0)) continue;
     const float x = plot.x_of(to_domain(visibility.range.min + (double(i) + 0.5) * bin_width));
     const float top = plot.high.y - heights[i] * (plot.high.y - plot.low.y) * column_share;
-    list.AddRectFilled({x - scaled(4), top}, {x + scaled(4), plot.high.y}, packed(surface_color, alpha));
+    list.AddRectFilled({x - scaled(4), top}, {x + scaled(4), plot.high.y},
+                       faded(palette().histogram_surface, float(alpha)));
   }
 }
 
 }  // namespace
 
-void value_curve_choice(EditorState& editor, WidgetState& widgets) {
+void value_curve_choice(EditorState& editor, WidgetState& widgets, float width) {
   int index = int(editor.value_curve);
-  if (choice(widgets, "##histogram", index, names, scaled(112))) editor.value_curve = ValueCurve(index);
+  if (choice(widgets, "##histogram", index, names, width)) editor.value_curve = ValueCurve(index);
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
   tip("What lies behind the curve, by value:\n"
       "values: how many voxels have it\n"
@@ -154,7 +153,7 @@ void draw_value_curve(ImDrawList& list, const Plot& plot, EditorState& editor, c
   }
   const Columns columns = columns_of(editor, inputs);
   if (columns.of_bin.empty()) {
-    list.AddText({plot.low.x + scaled(8), plot.low.y + scaled(6)}, palette::dim,
+    list.AddText({plot.low.x + scaled(8), plot.low.y + scaled(6)}, palette().secondary,
                  why_empty(editor, inputs).c_str());
     return;
   }
@@ -162,15 +161,30 @@ void draw_value_curve(ImDrawList& list, const Plot& plot, EditorState& editor, c
   if (!(most > 0)) return;
   const std::vector<float> heights = heights_of(columns.of_bin, most, curve);
   if (!is_visibility(curve))
-    return draw_columns(list, plot, columns.range, heights, column_color, 1, to_domain);
+    return draw_columns(list, plot, columns.range, heights, palette().histogram, 1, to_domain);
   const double alpha = inputs.visibility_is_old ? 0.5 : 1;
-  draw_columns(list, plot, columns.range, heights_of(inputs.visibility->volume, most, curve), column_color,
-               alpha, to_domain);
+  draw_columns(list, plot, columns.range, heights_of(inputs.visibility->volume, most, curve),
+               palette().histogram, alpha, to_domain);
   draw_surface_columns(list, plot, *inputs.visibility, heights, alpha, to_domain);
 }
 
+namespace {
+
+/// How many voxels are in the column that is drawn there.
+std::string count_text(const HistogramCache& histogram, double value) {
+  const double width = histogram.range.width(), columns = double(histogram.counts.size());
+  if (!(width > 0) || histogram.counts.empty()) return "";
+  const double at = (value - histogram.range.min) / width * columns;
+  if (!(at >= 0) || at > columns) return "";
+  const auto count = histogram.counts[std::size_t(std::min(at, columns - 1))];
+  return fmt::format("{} voxel{} in this column", count, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
 std::string value_curve_text(const EditorState& editor, const StudioInputs& inputs, double value) {
-  if (editor.value_curve <= ValueCurve::log_values) return "";  // counts depend on the zoom
+  if (editor.value_curve == ValueCurve::none) return "";
+  if (editor.value_curve <= ValueCurve::log_values) return count_text(editor.histogram, value);
   const Columns columns = columns_of(editor, inputs);
   const double width = columns.range.width();
   if (columns.of_bin.empty() || !(width > 0) || value < columns.range.min || value > columns.range.max)
@@ -230,8 +244,8 @@ void draw_suggested_peaks(ImDrawList& list, const EditorState& editor, const Stu
     const float size = scaled(float(3.5 + 2 * peak.persistence));
     const bool hovered = ImGui::IsItemHovered() && is_at(mouse, at);
     const ImVec2 top{at.x, at.y - size}, left{at.x - size, at.y + size}, right{at.x + size, at.y + size};
-    list.AddTriangleFilled(top, right, left, hovered ? palette::text : palette::accent);
-    list.AddTriangle(top, right, left, palette::plot, 1);
+    list.AddTriangleFilled(top, right, left, hovered ? palette().text : palette().accent);
+    list.AddTriangle(top, right, left, palette().plot, 1);
   });
 }
 

@@ -11,7 +11,7 @@
 namespace crest {
 
 /// A combo box for what lies behind the transfer function.
-void value_curve_choice(EditorState& editor, WidgetState& widgets);
+void value_curve_choice(EditorState& editor, WidgetState& widgets, float width);
 
 inline bool is_visibility(ValueCurve curve) {
   return curve == ValueCurve::visibility || curve == ValueCurve::log_visibility;

@@ -10,6 +10,7 @@
 #include "presets/names.h"
 #include "presets/preset_file.h"
 #include "render/scene/exact.h"
+#include "ui/actions.h"
 #include "ui/comparison_view.h"
 #include "ui/mode_text.h"
 #include "ui/style.h"
@@ -47,18 +48,20 @@ void explanation(const Rendering& rendering, ShownPicture wanted, const ViewPict
   const bool is_lit = takes_gradient(rendering.shading);
   const std::string text =
       view.is_exact ? exact_text(view, rendering.mode, is_lit) : explanation_of(rendering.mode);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().secondary);
+  ImGui::TextUnformatted(shortened(text, ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopStyleColor();
   std::string more = text;
   if (view.is_exact)
-    more +=
+    more += fmt::format(
         "\nBy bounds on all errors along a ray, of a 64th of the pixels; light is not in them."
-        "\nX shows the picture as the settings have it, B how far each pixel may be off.";
+        "\n{} shows the picture as the settings have it, {} how far each pixel may be off.",
+        key_text_of("Exact at rest"), key_text_of("Error bound"));
   else if (const std::string why_not = why_not_exact(rendering); !why_not.empty())
     more += "\nNot exact: " + why_not;
   else if (wanted == ShownPicture::as_set)
-    more += "\nAs the settings have it; X shows the exact picture.";
+    more +=
+        fmt::format("\nAs the settings have it; {} shows the exact picture.", key_text_of("Exact at rest"));
   tip(more.c_str());
 }
 
@@ -79,10 +82,9 @@ void content_menu(int index, StudioState& state, const StudioInputs& inputs, con
   WidgetState& widgets = state.widgets;
   ViewContent& content = state.views.contents[std::size_t(index)];
   for (const Mode mode : view_modes) {
-    if (ImGui::MenuItem(title_of(mode), std::string(name_of(mode)).c_str(), content.mode == mode))
-      content.mode = mode;
+    if (ImGui::MenuItem(title_of(mode), nullptr, content.mode == mode)) content.mode = mode;
     note_item(widgets, fmt::format("show/{}", name_of(mode)));
-    tip(explanation_of(mode));
+    tip(fmt::format("{}\n{} in files", explanation_of(mode), name_of(mode)).c_str());
   }
   ImGui::Separator();
   if (submenu(widgets, "Engine")) {
@@ -109,14 +111,13 @@ std::string with_arrow(const std::string& text) { return text + "    "; }
 
 /// A button that opens the popup of its name, with a triangle that says so.
 void popup_button(WidgetState& widgets, const std::string& text, const std::string& name) {
-  if (ImGui::SmallButton(fmt::format("{}##{}", with_arrow(text), name).c_str()))
-    ImGui::OpenPopup(name.c_str());
+  if (ImGui::Button(fmt::format("{}##{}", with_arrow(text), name).c_str())) ImGui::OpenPopup(name.c_str());
   note_item(widgets, name);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const float side = scaled(4), middle = (low.y + high.y) / 2, right = high.x - scaled(7);
   ImGui::GetWindowDrawList()->AddTriangleFilled({right - 2 * side, middle - side / 2},
                                                 {right, middle - side / 2}, {right - side, middle + side / 2},
-                                                palette::dim);
+                                                palette().secondary);
 }
 
 }  // namespace
@@ -159,13 +160,21 @@ void view_caption(int index, StudioState& state, const StudioInputs& inputs, con
   const ViewContent& content = state.views.contents[std::size_t(index)];
   const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX(), gap = scaled(8);
   const float padding = 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, scaled(2)});
+  ImGui::AlignTextToFramePadding();
   const bool enlarged = state.views.enlarged == index, compares = compares_view(state.views, index);
   const std::string name = fmt::format("content{}", index), compare = fmt::format("compare{}", index);
 
-  popup_button(state.widgets, text_of(content), name);
+  const std::string compare_text = compares ? "comparing" : "compare";
+  const char* action = enlarged ? "restore" : "enlarge";
+  const float actions = ImGui::CalcTextSize(with_arrow(compare_text).c_str()).x +
+                        ImGui::CalcTextSize(action).x + 2 * padding + scaled(4);
+  const float sign = view.warnings.empty() ? 0 : gap + ImGui::GetFontSize();
+  const float room = width - actions - gap - sign - padding - ImGui::CalcTextSize(with_arrow("").c_str()).x;
+  popup_button(state.widgets, shortened(text_of(content), std::max(room, scaled(24))), name);
   float left = ImGui::GetItemRectSize().x;
-  tip(fmt::format("{}: {}\nClick to choose what this view shows", name_of(content.mode),
-                  explanation_of(content.mode))
+  tip(fmt::format("{}: {}\n{} in files. Click to choose what this view shows", text_of(content),
+                  explanation_of(content.mode), name_of(content.mode))
           .c_str());
   if (ImGui::BeginPopup(name.c_str())) {
     content_menu(index, state, inputs, preset);
@@ -177,10 +186,6 @@ void view_caption(int index, StudioState& state, const StudioInputs& inputs, con
     left += gap + ImGui::GetItemRectSize().x;
   }
 
-  const std::string compare_text = compares ? "comparing" : "compare";
-  const char* action = enlarged ? "restore" : "enlarge";
-  const float actions = ImGui::CalcTextSize(with_arrow(compare_text).c_str()).x +
-                        ImGui::CalcTextSize(action).x + 2 * padding + scaled(4);
   const std::string cost = cost_text(view);
   const float cost_width = ImGui::CalcTextSize(cost.c_str()).x;
   if (!cost.empty() && left + gap + cost_width + gap + actions < width) {
@@ -196,8 +201,9 @@ void view_caption(int index, StudioState& state, const StudioInputs& inputs, con
     ImGui::EndPopup();
   }
   ImGui::SameLine(0, scaled(4));
-  if (ImGui::SmallButton(action)) state.views.enlarged = enlarged ? -1 : index;
+  if (ImGui::Button(action)) state.views.enlarged = enlarged ? -1 : index;
   note_item(state.widgets, fmt::format("enlarge{}", index));
+  ImGui::PopStyleVar();
   explanation(rendering_of(content, preset), content.picture.value_or(shown_by_all(state.views)), view);
 }
 

@@ -10,8 +10,8 @@ namespace crest {
 namespace {
 
 constexpr ImU32 edge_color = IM_COL32(150, 158, 170, 70);
-constexpr ImU32 axis_colors[3] = {IM_COL32(226, 110, 100, 220), IM_COL32(122, 196, 110, 220),
-                                  IM_COL32(110, 156, 236, 220)};
+constexpr ImU32 axis_colors[3] = {IM_COL32(236, 120, 60, 230), IM_COL32(60, 190, 150, 230),
+                                  IM_COL32(110, 176, 240, 230)};
 constexpr const char* axis_names[3] = {"x", "y", "z"};
 
 bool is_sane(ImVec2 p) { return std::abs(p.x) < 1e6F && std::abs(p.y) < 1e6F; }

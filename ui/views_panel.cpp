@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "render/scene/camera.h"
 #include "render/scene/error_colors.h"
 #include "ui/camera_control.h"
 #include "ui/comparison_view.h"
+#include "ui/keys.h"
 #include "ui/picking.h"
 #include "ui/style.h"
 #include "ui/view_caption.h"
@@ -32,7 +34,7 @@ void error_legend(ImDrawList& list, ImVec2 at) {
     at.x += width;
   }
   const std::string text = fmt::format("off by at most {:g} .. {:g}", least_shown_error, most_shown_error);
-  list.AddText({at.x + scaled(6), at.y + (height - ImGui::GetFontSize()) / 2}, palette::dim, text.c_str());
+  text_on_picture(list, {at.x + scaled(10), at.y + (height - ImGui::GetFontSize()) / 2}, text);
 }
 
 /// Moves the camera in force as the mouse says.
@@ -57,6 +59,25 @@ bool move_camera(Document& document, StudioState& state, const Grid& grid, const
   return true;
 }
 
+/// With the focus on a view, arrows turn, with Shift they move the picture, and the page keys come nearer.
+bool move_camera_by_keys(Document& document, const Grid& grid, const Camera& before) {
+  constexpr double turn = std::numbers::pi / 36, shift = 0.05;
+  const auto pressed = [](int code) { return int(ImGui::IsKeyPressed(code)); };
+  const double across = pressed(key::right) - pressed(key::left), up = pressed(key::up) - pressed(key::down);
+  const double notches = pressed(key::page_up) - pressed(key::page_down);
+  Camera camera = before;
+  if (across != 0 || up != 0)
+    camera = ImGui::GetIO().KeyShift ? pan(camera, glm::dvec2(across, up) * shift)
+                                     : orbit(camera, across * turn, up * turn);
+  if (notches != 0) {
+    const double size = glm::length(grid.box_size());
+    camera = dolly(camera, std::pow(dolly_per_notch, notches), size * 1e-4, size * 1e3);
+  }
+  if (camera == before) return false;
+  document.preset.camera = camera;
+  return true;
+}
+
 void picture(int index, StudioState& state, const StudioInputs& inputs, const Camera& camera, ImVec2 low,
              ImVec2 size) {
   const ViewPicture& view = inputs.views[std::size_t(index)];
@@ -66,22 +87,22 @@ void picture(int index, StudioState& state, const StudioInputs& inputs, const Ca
   } else if (view.texture != 0)
     list.AddImage(reinterpret_cast<ImTextureID>(view.texture), low, high);
   else
-    list.AddRectFilled(low, high, palette::plot);
+    list.AddRectFilled(low, high, palette().plot);
   list.PushClipRect(low, high, true);
   if (inputs.volume && state.views.outline) draw_outline(list, camera, inputs.volume->grid, low, size);
   if (!inputs.volume) {
     const char* hint =
         inputs.loading.empty() ? "Volume > Open, or drop a file here" : "Reading the volume ...";
     const ImVec2 text = ImGui::CalcTextSize(hint);
-    list.AddText({low.x + (size.x - text.x) / 2, low.y + (size.y - text.y) / 2}, palette::faint, hint);
+    list.AddText({low.x + (size.x - text.x) / 2, low.y + (size.y - text.y) / 2}, palette().secondary, hint);
   }
   if (view.texture != 0 && (view.coarseness > 1 || view.progress < 1)) {
     const std::string hint = view.coarseness > 1 ? fmt::format("coarse 1:{}", view.coarseness)
                              : view.is_exact     ? fmt::format("exact: {:.0f} %", 100 * view.progress)
                                                  : "refining";
-    list.AddText({low.x + scaled(8), high.y - ImGui::GetFontSize() - scaled(8)}, palette::dim, hint.c_str());
+    text_on_picture(list, {low.x + scaled(10), high.y - ImGui::GetFontSize() - scaled(10)}, hint);
     const float done = size.x * float(std::clamp(view.progress, 0.0, 1.0));
-    list.AddRectFilled({low.x, high.y - scaled(2)}, {low.x + done, high.y}, palette::accent);
+    list.AddRectFilled({low.x, high.y - scaled(2)}, {low.x + done, high.y}, palette().accent);
   }
   const ShownPicture shown =
       state.views.contents[std::size_t(index)].picture.value_or(shown_by_all(state.views));
@@ -101,7 +122,7 @@ void cursor_mark(ImDrawList& list, glm::vec2 cursor, ImVec2 low, ImVec2 size) {
   const ImVec2 at{low.x + size.x / 2 + cursor.x * size.y, low.y + cursor.y * size.y};
   const float inner = scaled(4), outer = scaled(11);
   list.PushClipRect(low, {low.x + size.x, low.y + size.y}, true);
-  for (const auto& [color, width] : {std::pair{IM_COL32(0, 0, 0, 160), 3.0F}, {palette::text, 1.0F}})
+  for (const auto& [color, width] : {std::pair{IM_COL32(0, 0, 0, 160), 3.0F}, {IM_COL32_WHITE, 1.0F}})
     for (const float way : {-1.0F, 1.0F}) {
       list.AddLine({at.x + way * inner, at.y}, {at.x + way * outer, at.y}, color, width);
       list.AddLine({at.x, at.y + way * inner}, {at.x, at.y + way * outer}, color, width);
@@ -114,7 +135,9 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
   const std::size_t i = std::size_t(index);
   ImGui::PushID(index);
   ImGui::SetCursorScreenPos(corner);
-  ImGui::BeginChild("view", size, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::BeginChild(
+      "view", size, false,
+      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NavFlattened);
   view_caption(index, state, inputs, document.preset);
   bool changed = false;
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
@@ -127,6 +150,9 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     note_item(state.widgets, fmt::format("view{}", index));
+    take_focus(state.navigation, Area::views);
+    const ImGuiID id = ImGui::GetID("##picture");
+    const bool has_arrows = takes_arrows(state.navigation);
     Camera camera;
     if (inputs.volume) camera = camera_of(document.preset, inputs.volume->grid, double(image.x / image.y));
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
@@ -135,8 +161,10 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
              move_divider(state.views, ImGui::IsItemHovered(), ImGui::IsItemActive(), low, image))
       changed = false;
     else if (inputs.volume)
-      changed = move_camera(document, state, inputs.volume->grid, camera, image.y);
+      changed = move_camera(document, state, inputs.volume->grid, camera, image.y) ||
+                (has_arrows && move_camera_by_keys(document, inputs.volume->grid, camera));
     picture(index, state, inputs, document.preset.camera.value_or(camera), low, image);
+    show_focus(id, low, {low.x + image.x, low.y + image.y});
     const bool is_hovered = ImGui::IsItemHovered();
     changed |= pick_in_view(document, state, inputs, requests, index, low, image, requests.view_pixels[i]);
     if (is_hovered) {

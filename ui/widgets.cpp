@@ -74,9 +74,9 @@ bool choice(WidgetState& state, const char* name, int& value, std::span<const st
 }
 
 void heading(const char* text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, palette::accent);
+  ImGui::PushFont(font_of(TextSize::heading));
   ImGui::TextUnformatted(text);
-  ImGui::PopStyleColor();
+  ImGui::PopFont();
 }
 
 void field_label(const char* text) {
@@ -87,6 +87,38 @@ void field_label(const char* text) {
 
 void tip(const char* text) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+
+std::string shortened(const std::string& text, float room) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
+  const auto is_inside = [&](std::size_t i) { return i < text.size() && (text[i] & 0xC0) == 0x80; };
+  // Both ends, as long as can be: the beginning tells most
+  std::string best = "...";
+  for (std::size_t kept = 1; kept < text.size(); ++kept) {
+    std::size_t front = (2 * kept + 2) / 3, back = text.size() - (kept - front);
+    while (is_inside(front)) --front;  // a character of UTF-8 goes whole
+    while (is_inside(back)) ++back;
+    const std::string cut = text.substr(0, front) + "..." + text.substr(back);
+    if (ImGui::CalcTextSize(cut.c_str()).x > room) break;
+    best = cut;
+  }
+  return best;
+}
+
+void shortened_text(const std::string& text, float room, ImU32 color) {
+  const std::string shown = shortened(text, room);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(shown.c_str());
+  ImGui::PopStyleColor();
+  if (shown != text) tip(text.c_str());
+}
+
+void text_on_picture(ImDrawList& list, ImVec2 at, const std::string& text) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const float pad = scaled(4);
+  list.AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + size.x + pad, at.y + size.y + pad / 2},
+                     palette().on_picture, pad);
+  list.AddText(at, palette().text, text.c_str());
 }
 
 ImU32 packed(glm::dvec3 color, double alpha) {

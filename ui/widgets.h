@@ -104,6 +104,14 @@ void field_label(const char* text);
 /// A tooltip for the last item.
 void tip(const char* text);
 
+/// The text, or as much of its beginning and end as fits, with dots between them.
+std::string shortened(const std::string& text, float room);
+/// The same as an item, whose tooltip has all of it.
+void shortened_text(const std::string& text, float room, ImU32 color);
+
+/// On a ground of its own, so that it can be read over any picture.
+void text_on_picture(ImDrawList& list, ImVec2 at, const std::string& text);
+
 ImU32 packed(glm::dvec3 color, double alpha = 1);
 float scaled(float pixels);  ///< sizes are given for a font of 14 pixels
 

@@ -13,6 +13,8 @@
 #include "app/report/report_files.h"
 #include "app/report/studies.h"
 #include "app/scene_options.h"
+#include "app/sources.h"
+#include "app/unknown_word.h"
 #include "presets/error.h"
 #include "presets/json.h"
 #include "presets/names.h"
@@ -52,14 +54,16 @@ std::uint64_t seed_of(const std::string& text) {
   return seed;
 }
 
+std::vector<std::string> study_names() {
+  std::vector<std::string> names;
+  for (const Study& study : studies()) names.emplace_back(study.name);
+  return names;
+}
+
 const Study& find_study(const std::string& name) {
-  std::string names;
-  for (const Study& study : studies()) {
+  for (const Study& study : studies())
     if (study.name == name) return study;
-    names += (names.empty() ? "" : ", ") + std::string(study.name);
-  }
-  throw UsageError("--study", fmt::format("'{}' is not a study; there {}", name,
-                                          names.empty() ? "is none yet" : "is: " + names));
+  throw UsageError("--study", why_not_one_of(name, study_names()));
 }
 
 /// The command that renders what the report is of, with these settings. `written` are those that it would
@@ -75,6 +79,7 @@ std::string render_command(const SceneOptions& scene, const std::string& size, c
   add("--target", scene.target);
   add("--up", scene.up);
   add("--fov", scene.fov);
+  add("--projection", scene.projection);
   for (const std::string& assignment : scene.sets) add("--set", assignment);
   for (const std::string& assignment : assignments_between(written, settings)) add("--set", assignment);
   add("--size", size);
@@ -165,6 +170,8 @@ std::string studies_with_seed() {
 
 /// Throws UsageError where one is wrong, or has no part in what is asked for.
 void check_options(const ReportOptions& options) {
+  if (options.scene.is_preset_from_stdin())
+    throw UsageError("--preset", "a report says what it is of: from a file, not from the standard input");
   budget_seconds(options.budget);
   target_option(options.target);
   seed_of(options.seed);
@@ -188,8 +195,8 @@ void check_options(const ReportOptions& options) {
 }
 
 std::string study_help() {
-  std::string text = "A study instead of a scene's report";
-  for (const Study& study : studies()) text += fmt::format("; {}: {}", study.name, study.summary);
+  std::string text = "A study instead of a scene's report:";
+  for (const Study& study : studies()) text += fmt::format("\n{}: {}", study.name, study.summary);
   return text;
 }
 
@@ -197,15 +204,17 @@ std::string study_help() {
 
 void add_report_command(Options app, Action& chosen) {
   auto options = std::make_shared<ReportOptions>();
-  Options command = app.add_command("report", "Measure error against run time, and write a report");
-  command.add("VOLUME", options->scene.volume, "What to render (crest --help)");
+  Options command =
+      app.add_command("report", "Measure error against run time, and write a report", "Measure");
+  command.add("VOLUME", options->scene.volume, "What to render (crest --help)").offers(builtin_sources());
   options->scene.add_to(command);
   command.add("-o,--output", options->output, "The folder of the report")
       .required()
       .not_empty()
       .type_name("DIR");
   command.add("--size", options->size, "Width x height in pixels").shows_default().type_name("WxH");
-  const Option study = command.add("--study", options->study, study_help()).type_name("NAME");
+  const Option study =
+      command.add("--study", options->study, study_help()).type_name("NAME").offers(study_names());
   command
       .add("--budget", options->budget,
            "Time for all of it: 90s, 2m, 1h, or none; of a study that takes one, none by default")
@@ -228,6 +237,7 @@ void add_report_command(Options app, Action& chosen) {
       .type_name("DIR");
   command.add("--device", options->device, "Graphics device (crest list devices); hardware first by default");
   command.add_flag("--json", options->json, "Print report.json, too");
+  command.add_example("crest report builtin:plume --preset fire --budget 60s -o report");
   command.when_read([options, command, &chosen] {
     options->size_is_given = command.is_given("--size");
     options->budget_is_given = command.is_given("--budget");

@@ -48,11 +48,14 @@ bool is_read_by_paraview(const ExportVolume& volume) {
 
 std::string camera_of_view(const std::optional<Camera>& camera) {
   if (!camera) return "view.ResetCamera()\n";
-  return fmt::format(
+  const std::string perspective = fmt::format(
       "view.CameraPosition = {}\nview.CameraFocalPoint = {}\nview.CameraViewUp = {}\nview.CameraViewAngle = "
       "{}\n",
       python_vector(camera->eye), python_vector(camera->target), python_vector(camera->up),
       camera->fov_y_degrees);
+  if (camera->projection == Projection::perspective) return perspective;
+  return perspective + fmt::format("view.CameraParallelProjection = 1\nview.CameraParallelScale = {}\n",
+                                   half_height_at_target(*camera));
 }
 
 constexpr const char* head =

@@ -1,11 +1,12 @@
 #include "presets/exchange/exporters.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
 #include "presets/error.h"
 #include "presets/exchange/formats.h"
+#include "presets/nearest_word.h"
 
 namespace crest {
 
@@ -36,12 +37,13 @@ std::span<const Exporter> exporters() {
 }
 
 const Exporter& find_exporter(std::string_view name) {
-  std::string names;
+  std::vector<std::string_view> names;
   for (const Exporter& exporter : exporters()) {
     if (exporter.name == name) return exporter;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", exporter.name);
+    names.push_back(exporter.name);
   }
-  throw Error(fmt::format("{}: no such export format; there are: {}", name, names));
+  throw Error(fmt::format("{}: no such export format; there are: {}{}", name, fmt::join(names, ", "),
+                          did_you_mean(name, names)));
 }
 
 Preset ready_for_export(const Preset& preset, const std::optional<ExportVolume>& volume) {

@@ -1,20 +1,41 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <glm/ext/vector_uint3_sized.hpp>
+#include <stop_token>
 #include <string>
 
+#include "render/volume/memory.h"
 #include "render/volume/query.h"
 
 namespace crest {
 
+/// The program that reads files for Crest (render/reader), beside which it lies.
+std::filesystem::path reader_program();
+
+/// How files are read.
+struct Reading {
+  std::uint64_t memory = available_memory();  ///< bytes that it may take
+  bool asks = false;          ///< ChoiceNeeded also where the query left something open that has a default
+  std::stop_token stop = {};  ///< ends the reader at once
+  std::filesystem::path reader = reader_program();  ///< tests have others
+  std::chrono::seconds patience{30};                ///< with a reader that does nothing
+};
+
 /// What load_volume asks of a reader. The path is there, and readable.
 struct FileRequest {
   std::filesystem::path path;
-  Query query;
-  std::uint64_t memory = 0;  ///< bytes that reading may take
+  Query query = {};
+  Reading reading = {};
+  /// Called before what takes so many bytes is read.
+  std::function<void(std::uint64_t bytes)> expect = {};
 
   std::string name() const { return path.string(); }  ///< what errors call it
+  /// As crest::require_memory, by what reading may take; then the reader gets that much.
+  void require_memory(glm::u64vec3 dims, std::uint64_t bytes_per_point) const;
 };
 
 /// A lower-case extension with its dot.

@@ -45,11 +45,11 @@ void make_room(const fs::path& folder, const fs::path& extension, std::uintmax_t
 }  // namespace
 
 // The content is followed by its hash.
-std::optional<std::string> read_cached(const fs::path& file) {
+std::optional<std::string> read_cached(const fs::path& file, std::uintmax_t most_bytes) {
   std::error_code fault;
-  const std::uintmax_t bytes = fs::file_size(file, fault);
+  const std::uintmax_t bytes = fs::is_regular_file(file, fault) ? fs::file_size(file, fault) : 0;
   std::uint64_t hash = 0;
-  if (fault || bytes < sizeof hash) return std::nullopt;
+  if (fault || bytes < sizeof hash || bytes - sizeof hash > most_bytes) return std::nullopt;
   try {
     std::string content = read_file(file, bytes);
     std::memcpy(&hash, content.data() + content.size() - sizeof hash, sizeof hash);

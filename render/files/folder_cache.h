@@ -11,8 +11,9 @@ namespace crest {
 /// cannot do is no error: a file that is damaged counts as none, and where none can be written it is made
 /// again each time.
 
-/// What write_cached left in `file`, if it is there and whole. It counts as used now.
-std::optional<std::string> read_cached(const std::filesystem::path& file);
+/// What write_cached left in `file`, if it is there, whole, and of at most `most_bytes`. It counts as used
+/// now.
+std::optional<std::string> read_cached(const std::filesystem::path& file, std::uintmax_t most_bytes);
 
 /// Writes a file, whole or not at all. The folder's files of its extension keep to `limit_bytes` together;
 /// the ones that were used longest ago go first.

@@ -7,7 +7,8 @@
 
 #include "presets/atomic_file.h"
 #include "presets/error.h"
-#include "render/files/file_library.h"
+#include "render/files/file_modules.h"
+#include "render/files/read_beside.h"
 
 namespace crest {
 namespace {
@@ -24,11 +25,11 @@ std::vector<std::uint8_t> rgb_bytes(const Image& image) {
 std::string encode_png(const std::filesystem::path& path, const Image& image, glm::vec3 background,
                        const std::string& preset) {
   const auto bytes = rgb_bytes(over_background(image, background));
-  return file_library().encode_rgb8(path, image.size, bytes.data(), preset);
+  return image_module().encode_rgb8(path, image.size, bytes.data(), preset);
 }
 
 std::string encode_exr(const std::filesystem::path& path, const Image& image, const std::string& preset) {
-  return file_library().encode_rgba32f(path, image.size, image.pixels.data(), preset);
+  return image_module().encode_rgba32f(path, image.size, image.pixels.data(), preset);
 }
 
 }  // namespace
@@ -51,10 +52,8 @@ std::string png_of(const Image& image, glm::vec3 background) {
   return encode_png("picture.png", image, background, "");
 }
 
-std::string preset_in_picture(const std::filesystem::path& path) {
-  return file_library().preset_in_picture(path);
-}
+std::string preset_in_picture(const std::filesystem::path& path) { return read_preset_beside({path}); }
 
-Image read_image(const std::filesystem::path& path) { return file_library().read_image(path); }
+Image read_image(const std::filesystem::path& path) { return read_picture_beside({path}); }
 
 }  // namespace crest

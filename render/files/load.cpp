@@ -3,15 +3,21 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <new>
 
 #include "presets/error.h"
-#include "render/files/file_library.h"
+#include "render/files/file_modules.h"
+#include "render/files/geometry.h"
 #include "render/files/header_text.h"
+#include "render/files/kinds.h"
+
+#include "render/files/open_choice.h"
 #include "render/files/raw_reader.h"
+#include "render/files/read_beside.h"
 #include "render/volume/builtin.h"
 
 namespace crest {
@@ -28,7 +34,7 @@ struct Reader {
 
 template <FileForm form>
 Volume read_form(const FileRequest& request) {
-  return file_library().read_volume(form, request);
+  return read_beside(form, request);
 }
 
 constexpr Reader readers[] = {
@@ -82,8 +88,12 @@ std::optional<std::pair<fs::path, std::string>> split_source(const std::string& 
 }
 
 Volume read_folder(const FileRequest& request) {
-  if (file_library().has_dicom(request.path)) return read_form<FileForm::dicom_series>(request);
-  if (file_library().has_images(request.path)) return read_form<FileForm::image_folder>(request);
+  const auto has = [&](bool (*is_one)(const fs::path&)) {
+    return std::ranges::any_of(fs::directory_iterator(request.path),
+                               [=](const auto& entry) { return is_one(entry.path()); });
+  };
+  if (has(is_dicom)) return read_beside(FileForm::dicom_series, request);
+  if (has(is_image)) return read_beside(FileForm::image_folder, request);
   throw Error(fmt::format("{}: a folder with neither a DICOM series nor images in it", request.name()));
 }
 
@@ -97,10 +107,10 @@ Volume read_file_or_folder(const FileRequest& request) {
   std::string known;
   for (const Reader& reader : readers)
     known += fmt::format("{}{}", known.empty() ? "" : " ", reader.format.extensions);
-  throw Error(
-      fmt::format("{}: its extension is not known; those read are {}; for raw voxels add "
-                  "?size=AxBxC&type=uint8",
-                  name, known));
+  throw ChoiceNeeded(fmt::format("{}: its extension is not known; those read are {}; for raw voxels add "
+                                 "?size=AxBxC&type=uint8",
+                                 name, known),
+                     {ChoiceKind::raw_layout, name, request.query, 0, {}});
 }
 
 /// With what the standard library throws (no permission for a folder, no memory after all) as Errors.
@@ -114,36 +124,7 @@ Volume guarded(const FileRequest& request) {
   }
 }
 
-/// Makes the geometry one that the renderer can use, and says so in the note.
-void repair_geometry(Volume& volume) {
-  const auto add_note = [&](const std::string& text) {
-    volume.note += (volume.note.empty() ? "" : "; ") + text;
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    double& spacing = volume.grid.spacing[axis];
-    const double given = spacing;
-    spacing = std::abs(spacing);
-    if (spacing > 0 && std::isfinite(spacing)) continue;
-    spacing = 1;
-    add_note(fmt::format("the file's spacing {} on axis {} is taken as 1", given, axis + 1));
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    double& origin = volume.grid.origin[axis];
-    origin += 0.0;  // no -0
-    if (std::isfinite(origin)) continue;
-    add_note(fmt::format("the file's origin {} on axis {} is taken as 0", origin, axis + 1));
-    origin = 0;
-  }
-  for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row) {
-      if (!std::isfinite(volume.direction[column][row])) volume.direction = glm::dmat3(1);
-    }
-  }
-}
-
 }  // namespace
-
-std::string extension_of(const fs::path& path) { return lower(path.extension().string()); }
 
 std::vector<VolumeFormat> volume_formats() {
   std::vector<VolumeFormat> formats;
@@ -155,13 +136,14 @@ bool is_volume_there(const std::string& source) {
   return source.starts_with(builtin_prefix) || split_source(source);
 }
 
-Volume load_volume(const std::string& source, std::uint64_t memory) {
-  if (source.starts_with(builtin_prefix)) return make_builtin(source.substr(builtin_prefix.size()), memory);
+Volume load_volume(const std::string& source, const Reading& reading) {
+  if (source.starts_with(builtin_prefix))
+    return make_builtin(source.substr(builtin_prefix.size()), reading.memory);
   const auto found = split_source(source);
   if (!found)
     throw Error(fmt::format("{}: there is no such file or folder", source.substr(0, source.find('?'))));
   const auto& [path, query] = *found;
-  Volume volume = guarded({path, parse_query(path.string(), query), memory});
+  Volume volume = guarded({path, parse_query(path.string(), query), reading});
   repair_geometry(volume);
   volume.file.path = fs::absolute(path).lexically_normal().string();
   volume.name = path.has_filename() ? path.filename().string() : path.parent_path().filename().string();

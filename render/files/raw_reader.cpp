@@ -9,6 +9,8 @@
 #include "presets/atomic_file.h"
 #include "presets/error.h"
 #include "presets/json.h"
+#include "render/files/open_choice.h"
+#include "render/files/raw_layout.h"
 #include "render/files/raw_reader.h"
 #include "render/volume/convert.h"
 #include "render/volume/memory.h"
@@ -19,35 +21,6 @@ namespace {
 constexpr std::string_view keys = "size,type,spacing,origin,endian,offset";
 constexpr std::string_view hint =
     "say them as ?size=AxBxC&type=uint8, in a sidecar NAME.raw.json, or in the name (name_AxBxC_uint8.raw)";
-
-std::optional<glm::u64vec3> to_size(std::string_view text) {
-  const auto parts = split(text, 'x');
-  if (parts.size() != 3) return std::nullopt;
-  glm::u64vec3 size;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto points = to_integer(parts[std::size_t(axis)]);
-    if (!points || *points < 0) return std::nullopt;
-    size[axis] = std::uint64_t(*points);
-  }
-  return size;
-}
-
-std::optional<ScalarType> to_type(std::string_view text) {
-  using enum ScalarType;
-  for (const ScalarType type : {uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64}) {
-    if (text == name_of(type)) return type;
-  }
-  return std::nullopt;
-}
-
-/// What a name in the manner of Open SciVis says: name_256x256x256_uint8.raw.
-Query query_from_name(const std::string& stem) {
-  const auto parts = split(stem, '_');
-  if (parts.size() < 2) return {};
-  const std::string_view size = parts[parts.size() - 2], type = parts.back();
-  if (!to_size(size) || !to_type(type)) return {};
-  return {{"size", std::string(size)}, {"type", std::string(type)}};
-}
 
 /// A sidecar's value as the query would have it: "64x64x93", [64, 64, 93], "uint8", 16.
 std::string as_query_text(const nlohmann::json& value, std::string_view separator) {
@@ -63,6 +36,8 @@ std::string as_query_text(const nlohmann::json& value, std::string_view separato
 
 Query query_from_sidecar(const std::filesystem::path& sidecar) {
   constexpr std::size_t size_limit = 1 << 20;
+  if (!std::filesystem::is_regular_file(sidecar))
+    throw Error(fmt::format("{}: not a file, as what says the size of raw voxels is", sidecar.string()));
   const auto json = nlohmann::json::parse(read_file(sidecar, size_limit), nullptr, false);
   if (!json.is_object()) throw Error(fmt::format("{}: not a JSON object with {}", sidecar.string(), keys));
   Query query;
@@ -86,17 +61,22 @@ const std::string* find(const Query& query, std::string_view key) {
   return found == query.end() ? nullptr : &found->second;
 }
 
+/// What a person is asked where the size or the type is missing, or the file is of another length.
+[[noreturn]] void throw_unknown(const std::string& text, const std::string& path, const Query& query) {
+  throw ChoiceNeeded(text, {ChoiceKind::raw_layout, path, query, 0, {}});
+}
+
 glm::u64vec3 parse_size(const std::string& name, const Query& query) {
   const std::string* text = find(query, "size");
-  if (!text) throw Error(fmt::format("{}: raw voxels of unknown size; {}", name, hint));
-  if (const auto size = to_size(*text)) return *size;
+  if (!text) throw_unknown(fmt::format("{}: raw voxels of unknown size; {}", name, hint), name, query);
+  if (const auto size = raw_size(*text)) return *size;
   throw Error(fmt::format("{}: size={} is not like 256x256x128", name, *text));
 }
 
 ScalarType parse_type(const std::string& name, const Query& query) {
   const std::string* text = find(query, "type");
-  if (!text) throw Error(fmt::format("{}: raw voxels of unknown type; {}", name, hint));
-  if (const auto type = to_type(*text)) return *type;
+  if (!text) throw_unknown(fmt::format("{}: raw voxels of unknown type; {}", name, hint), name, query);
+  if (const auto type = raw_type(*text)) return *type;
   throw Error(fmt::format("{}: type={} is not one of uint8, int8 ... int64, float32, float64", name, *text));
 }
 
@@ -116,13 +96,14 @@ std::endian parse_endian(const std::string& name, const Query& query) {
   throw Error(fmt::format("{}: endian={} is neither little nor big", name, *text));
 }
 
-void require_byte_count(const FileRequest& request, glm::u64vec3 size, ScalarType type,
+void require_byte_count(const FileRequest& request, const Query& query, glm::u64vec3 size, ScalarType type,
                         std::uint64_t offset) {
   const std::uint64_t promised = offset + size.x * size.y * size.z * size_of(type);
   const std::uint64_t held = std::filesystem::file_size(request.path);
   if (promised == held) return;
-  throw Error(fmt::format("{}: {}x{}x{} voxels of {} after {} bytes are {} bytes, and the file holds {}",
-                          request.name(), size.x, size.y, size.z, name_of(type), offset, promised, held));
+  throw_unknown(fmt::format("{}: {}x{}x{} voxels of {} after {} bytes are {} bytes, and the file holds {}",
+                            request.name(), size.x, size.y, size.z, name_of(type), offset, promised, held),
+                request.name(), query);
 }
 
 /// Block by block, so that the file's bytes are never all in memory.
@@ -161,8 +142,8 @@ Volume read_raw(const FileRequest& request) {
   volume.grid.spacing = parse_vector(name, query, "spacing", glm::dvec3(1));
   volume.grid.origin = parse_vector(name, query, "origin", glm::dvec3(0));
   require_memory(name, size, sizeof(double), std::numeric_limits<std::uint64_t>::max());
-  require_byte_count(request, size, type, offset);
-  require_memory(name, size, 0, request.memory);
+  require_byte_count(request, query, size, type, offset);
+  request.require_memory(size, 0);
   volume.grid.dims = glm::ivec3(size);
   volume.values = read_values(request, volume.grid.point_count(), type, endian, offset);
   return volume;

@@ -29,7 +29,7 @@ std::filesystem::path file_of(const std::filesystem::path& folder, const std::st
 // The driver's format, then its bytes.
 ProgramHandle read_program(const std::filesystem::path& folder, const std::string& source) {
   if (folder.empty() || !has_binaries()) return {};
-  const auto content = read_cached(file_of(folder, source));
+  const auto content = read_cached(file_of(folder, source), program_files_bytes);
   GLenum format = 0;
   if (!content || content->size() < sizeof format) return {};
   std::memcpy(&format, content->data(), sizeof format);

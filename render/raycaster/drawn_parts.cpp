@@ -15,42 +15,47 @@ namespace {
 constexpr int side = 16;
 
 /// Where places are seen.
-struct Projection {
+struct PlaceOnPicture {
   CameraFrame frame;
   glm::dvec3 eye;
-  glm::dvec2 slopes, size;  ///< of the rays at the picture's right and upper edges; in pixels
+  bool has_eye;  ///< behind which nothing is seen
+  HalfHeight half_height;
+  glm::dvec2 size;  ///< in pixels
 
-  Projection(const Camera& camera, glm::ivec2 pixels)
-      : frame(camera_frame(camera)), eye(camera.eye), size(pixels) {
-    slopes = half_height(camera) * glm::dvec2(aspect_of(pixels), 1);
-  }
+  PlaceOnPicture(const Camera& camera, glm::ivec2 pixels)
+      : frame(camera_frame(camera)),
+        eye(camera.eye),
+        has_eye(camera.projection == Projection::perspective),
+        half_height(crest::half_height(camera)),
+        size(pixels) {}
   /// Pixel x and y, and how far before the eye.
   glm::dvec3 operator()(glm::dvec3 place) const {
     const glm::dvec3 p = place - eye;
-    const double depth = glm::dot(p, frame.w);
-    const glm::dvec2 across = glm::dvec2(glm::dot(p, frame.u), -glm::dot(p, frame.v)) / (depth * slopes);
+    const double depth = glm::dot(p, frame.w), height = half_height(depth);
+    const glm::dvec2 across =
+        glm::dvec2(glm::dot(p, frame.u) * size.y / size.x, -glm::dot(p, frame.v)) / height;
     return {0.5 * (across + 1.0) * size, depth};
   }
 };
 
 /// The box on the picture, a pixel wider all around than it is, for what is rounded; nothing behind the eye,
 /// and the whole picture about it.
-std::optional<Tile> seen(const Projection& projection, const Box& box) {
-  const double nearest = 1e-4 * glm::length(box.max - box.min) + 1e-9 * glm::length(projection.eye - box.min);
+std::optional<Tile> seen(const PlaceOnPicture& place, const Box& box) {
+  const double nearest = 1e-4 * glm::length(box.max - box.min) + 1e-9 * glm::length(place.eye - box.min);
   glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
   int before = 0, behind = 0;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 p =
-        projection(glm::mix(box.min, box.max, glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2)));
-    before += p.z >= nearest;
-    behind += p.z < -nearest;
+        place(glm::mix(box.min, box.max, glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2)));
+    before += !place.has_eye || p.z >= nearest;
+    behind += place.has_eye && p.z < -nearest;
     low = glm::min(low, glm::dvec2(p));
     high = glm::max(high, glm::dvec2(p));
   }
   if (behind == 8) return {};
-  if (before < 8) return Tile{{0, 0}, glm::ivec2(projection.size)};
-  const Tile tile{glm::ivec2(glm::clamp(low - 1.0, glm::dvec2(0), projection.size)),
-                  glm::ivec2(glm::clamp(high + 2.0, glm::dvec2(0), projection.size))};
+  if (before < 8) return Tile{{0, 0}, glm::ivec2(place.size)};
+  const Tile tile{glm::ivec2(glm::clamp(low - 1.0, glm::dvec2(0), place.size)),
+                  glm::ivec2(glm::clamp(high + 2.0, glm::dvec2(0), place.size))};
   if (tile.begin.x >= tile.end.x || tile.begin.y >= tile.end.y) return {};
   return tile;
 }
@@ -59,12 +64,12 @@ std::optional<Tile> seen(const Projection& projection, const Box& box) {
 
 std::vector<Tile> parts_that_meet(const std::vector<Box>& boxes, const Box& rendered, const Camera& camera,
                                   glm::ivec2 size, Tile tile) {
-  const Projection projection(camera, size);
+  const PlaceOnPicture place(camera, size);
   const glm::ivec2 squares = (size + side - 1) / side;
   std::vector<std::vector<bool>> drawn(std::size_t(squares.y), std::vector<bool>(std::size_t(squares.x)));
   for (const Box& whole : boxes) {
     const Box box{glm::max(whole.min, rendered.min), glm::min(whole.max, rendered.max)};
-    const auto on_picture = box.is_empty() ? std::nullopt : seen(projection, box);
+    const auto on_picture = box.is_empty() ? std::nullopt : seen(place, box);
     if (!on_picture) continue;
     const glm::ivec2 first = on_picture->begin / side, last = (on_picture->end - 1) / side;
     for (int row = first.y; row <= last.y; ++row)

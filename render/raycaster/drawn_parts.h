@@ -11,7 +11,7 @@ namespace crest {
 
 /// Rectangles of a tile of a picture, none over another, that hold every pixel whose ray meets one of the
 /// boxes within `rendered`, all in world units. What else they hold is some pixels beside one; but where the
-/// eye is in a box, they are the whole tile.
+/// eye of a perspective camera is in a box, they are the whole tile.
 std::vector<Tile> parts_that_meet(const std::vector<Box>& boxes, const Box& rendered, const Camera& camera,
                                   glm::ivec2 size, Tile tile);
 

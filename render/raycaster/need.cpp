@@ -9,7 +9,9 @@
 #include "presets/error.h"
 #include "render/classify/antiderivatives.h"
 #include "render/classify/peak_table.h"
+#include "render/gl/filter_weights.h"
 #include "render/raycaster/scene_facts.h"
+#include "render/raycaster/sharpness.h"
 #include "render/resources/shader_tf.h"
 #include "render/scene/view.h"
 #include "render/shader_inputs/blend_mode.h"
@@ -48,8 +50,9 @@ int intervals_per_pass(const SceneFacts& s, const Features& features) {
 /// Takes the features one after the other: each may depend on those before it.
 class Decision {
  public:
-  Decision(const SceneFacts& facts, const Forced& forced, const OccupiedShare& occupied_share)
-      : s_(facts), forced_(forced), occupied_share_(occupied_share) {}
+  Decision(const SceneFacts& facts, const Forced& forced, const OccupiedShare& occupied_share,
+           const WeightError& weight_error)
+      : s_(facts), forced_(forced), occupied_share_(occupied_share), weight_error_(weight_error) {}
   Need make(bool statistics);
 
  private:
@@ -68,6 +71,7 @@ class Decision {
   void decide_forms();
   void decide_tf_table();
   void decide_filters();
+  std::string why_weights_do_not() const;
   void decide_steps();
   std::string why_no_skipping() const;
   void decide_rays(bool statistics);
@@ -76,6 +80,8 @@ class Decision {
   const SceneFacts& s_;
   const Forced& forced_;
   const OccupiedShare& occupied_share_;
+  const WeightError& weight_error_;
+  std::string coarse_weights_;  ///< why the texture unit's weights do not do, if they do not
   Need need_;
   std::vector<std::pair<bool Features::*, std::string>> reasons_;
 };
@@ -163,11 +169,39 @@ void Decision::decide_steps() {
     return decide(&Features::skipping, why_no_skipping());
   }
   const std::string name = fmt::format("rendering.sampling is {}", name_of(sampling));
-  decide(&Features::differential, sampling == Sampling::differential ? "" : name, false);
-  decide(&Features::footprint, sampling == Sampling::footprint ? "" : name, false);
+  const Sampling taken = sampling_in(s_.camera, sampling);
+  decide(&Features::differential, taken == Sampling::differential ? "" : name, false);
+  decide(&Features::footprint,
+         taken == Sampling::footprint ? ""
+         : taken == sampling          ? name
+                                      : "in parallel projection no pixel's footprint grows",
+         false);
   decide(&Features::adaptive, s_.rendering.adaptive ? "" : "rendering.adaptive is false", false);
   decide(&Features::skipping, why_no_skipping(), !shows_values(need_.needed.blend_mode));
   if (has_equal_steps(sampling)) need_.features.placement = need_.needed.placement = s_.rendering.placement;
+}
+
+/// Samples may be off by what weights are rounded, times the difference of neighbours on each axis. Where
+/// that changes what a segment adds by more than a step of an 8-bit picture, the TF shows it as stairs. (A
+/// surface is misplaced by that, 1/512 of a voxel an axis: nobody sees it.)
+std::string Decision::why_weights_do_not() const {
+  constexpr double visible = 1.0 / 255, coarsest = 0x1p-9;  // weights of 8 bits
+  const Filter filter = dvr_filter(s_.rendering).kind;
+  if (!need_.needed.dvr || need_.features.analytic || !weight_error_) return "";
+  if (filter != Filter::linear && filter != Filter::bspline) return "";
+  if (shows_values(need_.needed.blend_mode)) return "";
+  const glm::dvec3 steps = s_.statistics.largest_difference;
+  const auto change = [&](double weight_error) {
+    return largest_change_within(s_.dvr_tf(), s_.dvr_field(), weight_error * (steps.x + steps.y + steps.z),
+                                 s_.steps.longest * s_.grid.smallest_spacing());
+  };
+  if (change(coarsest) <= visible) return "";  // on every driver: it is not asked
+  const double error = weight_error_();
+  const double most = error > 0 ? change(error) : 0;
+  if (most <= visible) return "";
+  return fmt::format(
+      "the texture unit's weights have {} bits: what a sample adds would be off by up to {:.2g}",
+      gl::weight_bits(error), most);
 }
 
 // One filter, unless both DVR and surfaces are there with different ones.
@@ -176,6 +210,11 @@ void Decision::decide_filters() {
   decide(&Features::own_root_filter, where_sampled(s_.why_no_own_root_filter(f)), false);
   f.filter = dvr_filter(s_.rendering).kind;
   f.root_filter = root_filter(s_.rendering).kind;
+  coarse_weights_ = why_weights_do_not();
+  if (!coarse_weights_.empty() && f.filter == Filter::linear) {
+    f.filter = Filter::linear_exact;
+    if (!f.own_root_filter) f.root_filter = f.filter;
+  }
   if (!f.own_root_filter) (f.dvr ? f.root_filter : f.filter) = f.dvr ? f.filter : f.root_filter;
   need_.needed.filter = f.filter;
   need_.needed.root_filter = f.root_filter;
@@ -226,6 +265,11 @@ void Decision::write_list() {
                                    : "nothing is sampled");
   if (need_.features.filter == Filter::linear && !need_.features.analytic)
     list.left_out.emplace_back("filter", "linear, the default, is the texture unit's");
+  if (!coarse_weights_.empty() && need_.features.filter == Filter::linear_exact)
+    list.left_out.emplace_back("filter_linear", coarse_weights_);
+  if (!coarse_weights_.empty() && need_.features.filter == Filter::bspline)
+    list.notes.push_back(fmt::format(
+        "filter bspline: {}. The same field in float is bc with bc_b 1 and bc_c 0", coarse_weights_));
   if (const auto& part = need_.tf_table.blurred)
     list.notes.push_back(
         fmt::format("the transfer function {} at {:.6g}, {} than an entry of the largest table: DVR shows it "
@@ -264,7 +308,7 @@ int Need::passes() const {
 
 Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
                const Camera& camera, glm::ivec2 size, bool statistics, const Forced& forced,
-               const OccupiedShare& occupied_share) {
+               const OccupiedShare& occupied_share, const WeightError& weight_error) {
   if (const std::string why_not = why_inconsistent(rendering); !why_not.empty()) throw Error(why_not);
   const Box box = rendered_box(volume.grid, rendering.clip_box);
   const double spacing = volume.grid.smallest_spacing();
@@ -277,8 +321,8 @@ Need find_need(const Volume& volume, const Classification& classification, const
                    box,
                    longest_ray(camera, box) / spacing,
                    {}};
-  if (!facts.why_no_analytic().empty()) facts.steps = step_lengths(rendering, camera, size, box, spacing);
-  return Decision(facts, forced, occupied_share).make(statistics);
+  if (!facts.why_no_analytic().empty()) facts.steps = step_lengths(rendering, camera, size, box, volume.grid);
+  return Decision(facts, forced, occupied_share, weight_error).make(statistics);
 }
 
 std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Classification& classification) {

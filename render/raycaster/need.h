@@ -45,13 +45,17 @@ struct Forced {
 /// The share of the macrocells that may show something of these features; `blur` as in Shown (occupancy.h).
 using OccupiedShare = std::function<double(const Features& features, const TableBlur& blur)>;
 
+/// How far the weights of the texture unit's filter may be off (gl/filter_weights.h).
+using WeightError = std::function<double()>;
+
 /// The one function that decides, from the volume's grid and statistics, the TF's peaks, the settings, the
 /// camera with its picture's size, and whether costs are to be counted. It takes O(points of the TF) and some
-/// microseconds, and what `occupied_share` takes, where that is asked; without it nothing is skipped. Throws
-/// Error for a camera that has no picture, and for settings that do not go together.
+/// microseconds, and what `occupied_share` and `weight_error` take, where they are asked; without the former
+/// nothing is skipped, without the latter the texture unit filters in float. Throws Error for a camera that
+/// has no picture, and for settings that do not go together.
 Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
                const Camera& camera, glm::ivec2 size, bool statistics, const Forced& forced = {},
-               const OccupiedShare& occupied_share = {});
+               const OccupiedShare& occupied_share = {}, const WeightError& weight_error = {});
 
 /// What a device holds for it.
 std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Classification& classification);

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "presets/choices.h"
+#include "render/gl/filter_weights.h"
 #include "render/gl/uniforms.h"
 #include "render/raycaster/bindings.h"
 #include "render/raycaster/drawn_parts.h"
@@ -51,8 +52,12 @@ Need Raycaster::find_need(const Scene& scene, const Camera& camera, glm::ivec2 s
   const auto share = [&](const Features& features, const TableBlur& blur) {
     return occupied_share(held, {scene, classification, features, blur});
   };
+  const auto weight_error = [&] {
+    if (!resources_->weight_error) resources_->weight_error = gl::measure_weight_error();
+    return *resources_->weight_error;
+  };
   return crest::find_need(*scene.volume, classification, scene.rendering, camera, size, statistics, forced_,
-                          share);
+                          share, weight_error);
 }
 
 Features Raycaster::features(const Scene& scene, bool statistics) {

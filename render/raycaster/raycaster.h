@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -47,6 +48,8 @@ class Raycaster {
 
   /// From now on: for tests and measurements.
   void force(const Forced& forced);
+  /// From now on, for tests: as if the texture unit's weights had so many bits.
+  void assume_weight_bits(int bits) { resources_->weight_error = std::ldexp(0.5, -bits); }
 
   Resources& resources() { return *resources_; }
 

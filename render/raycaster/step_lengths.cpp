@@ -20,12 +20,6 @@ namespace {
 /// What is computed in float may be off by this share.
 constexpr double slack = 1e-4;
 
-/// Half the image plane's width and height at distance 1.
-glm::dvec2 half_plane(const Camera& camera, glm::ivec2 size) {
-  const double height = half_height(camera);
-  return {height * size.x / size.y, height};
-}
-
 /// The least |dD/dx| of the picture's rays (eq. 10), x in [-1,1] across a plane of these half sides: it is
 /// U sqrt(1+q) / (1+p+q) with p = (xU)^2 and q = (yV)^2, falls with p, and has no minimum within q's range.
 double least_spread(double u, double v) {
@@ -56,21 +50,20 @@ double longest_equal_step(const Rendering& rendering) {
 
 }  // namespace
 
-double differential_k(const Camera& camera, glm::ivec2 size, double s_k) {
-  return s_k * glm::length(2.0 * half_plane(camera, size) / glm::dvec2(size));
-}
-
 StepLengths step_lengths(const Rendering& rendering, const Camera& camera, glm::ivec2 size, const Box& box,
-                         double smallest_spacing) {
+                         const Grid& grid) {
   if (box.is_empty()) return {};
+  const double smallest_spacing = grid.smallest_spacing();
   const double ray = longest_ray(camera, box) / smallest_spacing;
   const double near = glm::length(camera.eye - glm::clamp(camera.eye, box.min, box.max)) / smallest_spacing;
   const double far = near + glm::length(box.max - box.min) / smallest_spacing;
-  const glm::dvec2 plane = half_plane(camera, size), pixel = 2.0 / glm::dvec2(size);
-  const double k = differential_k(camera, size, rendering.s_k);
+  // Half the image plane's width and height at distance 1, or in parallel projection none of what it grows by
+  const glm::dvec2 plane = half_height(camera).slope * glm::dvec2(aspect_of(size), 1);
+  const glm::dvec2 pixel = 2.0 / glm::dvec2(size);
+  const double k = rendering.s_k * ray_frame(camera, grid, size).pixel;
   const glm::dvec2 spread(least_spread(plane.x, plane.y), least_spread(plane.y, plane.x));
   StepLengths lengths;
-  switch (rendering.sampling) {
+  switch (sampling_in(camera, rendering.sampling)) {
     case Sampling::uniform:
       lengths.longest = longest_equal_step(rendering);
       lengths.most = std::ceil(ray * (1 + slack) / rendering.step);
@@ -88,9 +81,9 @@ StepLengths step_lengths(const Rendering& rendering, const Camera& camera, glm::
   lengths.most = std::ceil(lengths.most * (1 + slack)) + 2;
   if (!(lengths.most <= most_segments))
     throw Error(fmt::format(
-        "sampling '{}' would take {:.2g} steps a ray from so far away: a larger s_k, or 'footprint' or "
-        "'uniform' sampling, takes fewer",
-        name_of(rendering.sampling), lengths.most));
+        "sampling '{}' would take {:.2g} steps a ray {}: a larger s_k, or {}'uniform' sampling, takes fewer",
+        name_of(rendering.sampling), lengths.most, plane.y > 0 ? "from so far away" : "with so small a pixel",
+        plane.y > 0 ? "'footprint' or " : ""));
   return lengths;
 }
 

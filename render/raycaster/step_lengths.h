@@ -4,6 +4,7 @@
 
 #include "presets/preset.h"
 #include "render/volume/clip.h"
+#include "render/volume/volume.h"
 
 namespace crest {
 
@@ -13,8 +14,12 @@ struct StepLengths {
   double most = 0;     ///< segments of one ray in the box
 };
 
-/// s_k times a pixel's diagonal on the image plane at distance 1 (Knoll et al. 2009, section 5.3).
-double differential_k(const Camera& camera, glm::ivec2 size, double s_k);
+/// How steps grow with the distance from the eye. Where no pixel grows, in parallel projection, the steps of
+/// both samplings that do are s_k pixels' diagonals each: `differential` with nothing to grow by.
+inline Sampling sampling_in(const Camera& camera, Sampling sampling) {
+  const bool grows = camera.projection == Projection::perspective;
+  return sampling == Sampling::footprint && !grows ? Sampling::differential : sampling;
+}
 
 /// More segments than this a ray are refused: it is what the least step makes of the largest volume.
 inline constexpr double most_segments = 4e6;
@@ -23,6 +28,6 @@ inline constexpr double most_segments = 4e6;
 /// for more than most_segments: differential steps, which grow with the root of the distance alone, are the
 /// shorter by a pixel's width the further away the eye is.
 StepLengths step_lengths(const Rendering& rendering, const Camera& camera, glm::ivec2 size, const Box& box,
-                         double smallest_spacing);
+                         const Grid& grid);
 
 }  // namespace crest

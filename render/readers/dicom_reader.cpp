@@ -1,20 +1,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <ranges>
 #include <set>
 #include <span>
 
 #include "presets/error.h"
+#include "render/files/header_text.h"
+#include "render/files/kinds.h"
+#include "render/files/open_choice.h"
 #include "render/readers/dicom_stack.h"
-#include "render/readers/dicom_structure.h"
 #include "render/readers/readers.h"
 #include "render/readers/select_one.h"
 #include "render/readers/subtract.h"
 #include "render/readers/voxel_header.h"
 #include "render/volume/convert.h"
-#include "render/volume/memory.h"
 #include "render/volume/orientation.h"
 
 namespace crest {
@@ -22,6 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Images = std::vector<DicomImage>;
+using AllSeries = std::map<std::string, Images>;  ///< by their UIDs
 
 /// The folder's DICOM files, and those that its DICOMDIR names.
 std::set<fs::path> files_in(const fs::path& folder) {
@@ -38,11 +41,30 @@ std::set<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-std::map<std::string, Images> find_series(const fs::path& folder) {
-  std::map<std::string, Images> series;
+AllSeries find_series(const fs::path& folder) {
+  AllSeries series;
   for (const fs::path& file : files_in(folder))
     for (DicomImage& image : read_dicom_images(file)) series[image.series].push_back(std::move(image));
   return series;
+}
+
+/// "T1 axial (MR), 124 images".
+std::string text_of(const Images& series) {
+  const auto& [description, modality] = std::pair(series[0].description, series[0].modality);
+  return fmt::format("{}{}, {} image{}", description.empty() ? "no description" : description,
+                     modality.empty() ? "" : fmt::format(" ({})", modality), series.size(),
+                     series.size() == 1 ? "" : "s");
+}
+
+/// Those with the most images first, as they are most often meant.
+OpenChoice choice_of(const FileRequest& request, const AllSeries& all) {
+  OpenChoice choice{ChoiceKind::series, request.name(), request.query, all.size(), {}};
+  choice.query.erase("series");
+  std::vector<const AllSeries::value_type*> sorted;
+  for (const auto& one : all) sorted.push_back(&one);
+  std::ranges::stable_sort(sorted, std::greater(), [](const auto* one) { return one->second.size(); });
+  for (const auto* one : sorted) choice.options.push_back({one->first, text_of(one->second)});
+  return choice;
 }
 
 /// The images of the series that the query names, or of the one with the most.
@@ -53,9 +75,14 @@ Images series_images(const FileRequest& request, std::string& note) {
   if (const auto asked = request.query.find("series"); asked != request.query.end()) {
     chosen = all.find(asked->second);
     if (chosen == all.end()) {
-      throw Error(fmt::format("{}: it has no series \"{}\"; it has {}", request.name(), asked->second,
-                              fmt::join(std::views::keys(all), ", ")));
+      throw ChoiceNeeded(fmt::format("{}: it has no series \"{}\"; it has {}", request.name(), asked->second,
+                                     fmt::join(std::views::keys(all), ", ")),
+                         choice_of(request, all));
     }
+  } else if (request.reading.asks && all.size() > 1) {
+    throw ChoiceNeeded(fmt::format("{}: it has {} series: take one with ?series={}", request.name(),
+                                   all.size(), chosen->first),
+                       choice_of(request, all));
   }
   if (all.size() > 1) note = fmt::format("series {}, one of {} in the folder", chosen->first, all.size());
   return chosen->second;
@@ -93,16 +120,16 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   const DicomStack stack = stack_dicom(name, std::move(images));
   add_note(note, stack.note);
   Volume volume;
-  const auto frame =
-      std::size_t(select_one(request, "frame", stack.frames.size(), volume.note, stack.frame_names));
+  const auto frame = std::size_t(
+      select_one(request, ChoiceKind::frame, stack.frames.size(), volume.note, stack.frame_names));
   const Images& slices = stack.frames[frame];
   const DicomImage& first = slices.front();
-  const auto component = std::size_t(select_one(request, "component", first.samples, volume.note));
+  const auto component = std::size_t(
+      select_one(request, ChoiceKind::component, first.samples, volume.note, colour_names(first.samples)));
   add_note(volume.note, note);
   const glm::u64vec3 dims(first.columns, first.rows, slices.size());
   if (dims.z < 2) throw Error(fmt::format("{}: one DICOM slice: open the folder with its series", name));
-  require_memory(name, dims, first.samples * sizeof(double) * frames_of[first.file] / slices.size(),
-                 request.memory);
+  request.require_memory(dims, first.samples * sizeof(double) * frames_of[first.file] / slices.size());
 
   const DicomGeometry geometry = geometry_of(slices);
   volume.grid = {glm::ivec3(dims), geometry.spacing, geometry.origin};
@@ -127,11 +154,6 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
 }
 
 }  // namespace
-
-bool has_dicom(const fs::path& folder) {
-  return std::ranges::any_of(fs::directory_iterator(folder),
-                             [](const auto& entry) { return is_dicom(entry.path()); });
-}
 
 Volume read_dicom_file(const FileRequest& request) {
   require_known_keys(request.name(), request.query, "component,frame,subtract");

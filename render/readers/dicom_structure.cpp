@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "presets/error.h"
-#include "render/readers/voxel_data.h"
+#include "render/files/kinds.h"
 
 namespace crest {
 namespace {
@@ -163,12 +163,6 @@ bool check_number(Walker& walker, const Element& element, Coding coding) {
 }
 
 }  // namespace
-
-bool is_dicom(const fs::path& path) {
-  if (!fs::is_regular_file(path)) return false;
-  const std::string head = read_head(path, preamble + 4);
-  return head.size() == preamble + 4 && head.ends_with("DICM");
-}
 
 DicomStructure read_dicom_structure(const fs::path& path) {
   const std::string name = path.string();

@@ -13,9 +13,6 @@ struct DicomStructure {
   std::optional<std::uint64_t> pixel_bytes;  ///< of uncompressed pixels
 };
 
-/// Whether the file begins as DICOM files do.
-bool is_dicom(const std::filesystem::path& path);
-
 /// Goes through the elements to the file's end. Throws Error when they are damaged, or it ends within one.
 DicomStructure read_dicom_structure(const std::filesystem::path& path);
 

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -17,21 +18,40 @@ namespace fs = std::filesystem;
 struct MetaText {
   std::map<std::string, std::string> fields;  ///< to ElementDataFile, which is the last one
   std::vector<std::string> file_list;         ///< the lines after "ElementDataFile = LIST"
-  std::size_t end = 0, lines = 0;             ///< where the fields end, and local data begins
+  int list_line = 1;                          ///< the number of the first of them
+  std::size_t end = 0;                        ///< where they end, and local data begins
 };
 
+/// As long as MetaIO, which other programs read the format with, has room for; and no key twice, of which
+/// programs take one or the other.
+void check_field(const std::string& name, int line, std::string_view key, std::string_view value,
+                 bool is_new) {
+  constexpr std::size_t longest_line = 4096, longest_text = 254;
+  constexpr std::string_view texts[] = {"Comment",        "Name",
+                                        "ObjectType",     "ObjectSubType",
+                                        "ObjectTypeName", "ObjectSubTypeName",
+                                        "DistanceUnits",  "AnatomicalOrientation",
+                                        "Modality"};
+  constexpr std::string_view once[] = {"NDims", "DimSize", "ElementType", "ElementNumberOfChannels",
+                                       "HeaderSize"};
+  const bool is_text = std::ranges::find(texts, key) != std::end(texts);
+  if (key.size() > longest_text || value.size() > (is_text ? longest_text : longest_line))
+    throw Error(fmt::format("{}: line {} of its header is longer than MetaImage's may be", name, line));
+  if (!is_new && std::ranges::find(once, key) != std::end(once))
+    throw Error(fmt::format("{}: line {} of its header has {} once more", name, line, key));
+}
+
 MetaText parse(const std::string& name, std::string_view head) {
-  constexpr std::size_t longest_line = 4096;
   MetaText text;
   HeaderLines lines(head);
-  for (std::string_view line; !text.fields.contains("ElementDataFile") && lines.next(line);) {
-    ++text.lines;
+  int number = 1;
+  for (std::string_view line; !text.fields.contains("ElementDataFile") && lines.next(line); ++number) {
     if (trim(line).empty()) continue;
     const std::size_t equals = line.find_first_of("=:");
-    if (equals == std::string_view::npos || line.size() > longest_line) break;
-    const std::string key(trim(line.substr(0, equals)));
-    if (!text.fields.emplace(key, trim(line.substr(equals + 1))).second)
-      throw Error(fmt::format("{}: the header has \"{}\" twice", name, one_line(key)));
+    if (equals == std::string_view::npos) break;
+    const std::string_view key = trim(line.substr(0, equals)), value = trim(line.substr(equals + 1));
+    check_field(name, number, key, value, !text.fields.contains(std::string(key)));
+    text.fields[std::string(key)] = value;
   }
   for (const char* key : {"NDims", "DimSize", "ElementType", "ElementDataFile"}) {
     if (!text.fields.contains(key)) {
@@ -39,7 +59,9 @@ MetaText parse(const std::string& name, std::string_view head) {
     }
   }
   text.end = lines.position();
+  text.list_line = number;
   for (std::string_view line; lines.next(line);) text.file_list.emplace_back(trim(line));
+  while (!text.file_list.empty() && text.file_list.back().empty()) text.file_list.pop_back();
   return text;
 }
 
@@ -65,12 +87,14 @@ std::vector<fs::path> voxel_files(const std::string& name, const fs::path& path,
   const auto parts = words(value);
   std::vector<fs::path> files;
   if (!parts.empty() && parts[0].starts_with("LIST")) {
-    std::size_t count = text.file_list.size();
-    while (count > 0 && text.file_list[count - 1].empty()) --count;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (text.file_list[i].empty())
-        throw Error(fmt::format("{}: line {} in its list of files is empty", name, text.lines + i + 1));
-      files.push_back(path.parent_path() / text.file_list[i]);
+    int number = text.list_line;
+    for (const std::string& line : text.file_list) {
+      if (line.empty()) {
+        throw Error(
+            fmt::format("{}: line {} of its header, in the list of its files, is empty", name, number));
+      }
+      files.push_back(path.parent_path() / line);
+      ++number;
     }
   } else if (value.find('%') != std::string::npos) {
     files = files_of_pattern(name, path.parent_path(), parts);
@@ -154,7 +178,7 @@ void take_data(const std::string& name, const fs::path& path, const MetaText& te
   if (!is_true(text, "BinaryData", true)) data.encoding = Encoding::decimal;
   if (data.files == std::vector{path}) {
     data.offset = text.end;
-    data.first_line = text.lines + 1;
+    data.first_line = std::size_t(text.list_line);
   }
   const std::int64_t skip = integer_of(name, text, "HeaderSize", 0, -1, most_bytes);
   if (skip > 0) data.offset = std::uint64_t(skip);

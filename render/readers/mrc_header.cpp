@@ -7,6 +7,7 @@
 #include "presets/error.h"
 #include "render/readers/binary_fields.h"
 #include "render/readers/headers.h"
+#include "render/readers/select_one.h"
 #include "render/volume/memory.h"
 
 namespace crest {
@@ -173,6 +174,7 @@ VoxelHeader read_mrc_header(const fs::path& path) {
       f.swapped == (std::endian::native == std::endian::little) ? std::endian::big : std::endian::little;
   header.data = {{path}, header_size + std::uint64_t(f.at<std::int32_t>(92)), Encoding::raw};
   take_layout(name, f, *mode, order, header);
+  header.component_names = colour_names(mode->components);
   take_geometry(f, order, header);
   return header;
 }

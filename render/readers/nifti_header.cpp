@@ -10,6 +10,7 @@
 #include "render/files/header_text.h"
 #include "render/readers/binary_fields.h"
 #include "render/readers/headers.h"
+#include "render/readers/select_one.h"
 
 namespace crest {
 namespace {
@@ -228,6 +229,7 @@ VoxelHeader read_nifti_header(const fs::path& path) {
   header.endian =
       n.swapped == (std::endian::native == std::endian::little) ? std::endian::big : std::endian::little;
   take_layout(name, n, stored.components, header.layout);
+  header.component_names = colour_names(stored.components);
   const fs::path image = n.is_pair ? other_of_pair(head_file, ".img") : head_file;
   header.data = {{image}, 0, is_compressed(image) ? Encoding::deflate : Encoding::raw};
   const std::size_t shortest = n.is_pair ? 0 : first_size;

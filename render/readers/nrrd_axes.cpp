@@ -8,6 +8,7 @@
 #include "presets/error.h"
 #include "render/files/header_text.h"
 #include "render/readers/headers.h"
+#include "render/readers/select_one.h"
 #include "render/volume/memory.h"
 #include "render/volume/query.h"
 
@@ -162,7 +163,16 @@ void find_roles(const std::string& name, bool has_directions, std::vector<Axis>&
   }
 }
 
-void take_layout(const std::vector<Axis>& axes, VoxelLayout& layout) {
+/// Of the kinds that say what their components are.
+Names names_of(const Axis& components) {
+  const std::string& kind = components.kind;
+  if (kind == "rgb-color" || kind == "rgba-color") return colour_names(components.size);
+  if (kind == "complex") return {"real part", "imaginary part"};
+  return {};
+}
+
+void take_layout(const std::vector<Axis>& axes, VoxelHeader& header) {
+  VoxelLayout& layout = header.layout;
   std::uint64_t stride = 1;
   int spatial = 0;
   for (const Axis& axis : axes) {
@@ -172,6 +182,7 @@ void take_layout(const std::vector<Axis>& axes, VoxelLayout& layout) {
     } else if (axis.role == Role::component) {
       layout.components = axis.size;
       layout.component_stride = stride;
+      header.component_names = names_of(axis);
     } else {
       layout.frames = axis.size;
       layout.frame_stride = stride;
@@ -214,7 +225,7 @@ void take_nrrd_axes(const std::string& name, const NrrdFields& fields, VoxelHead
   std::vector<Axis> axes = axes_of(name, fields);
   const std::string* directions = find(fields, "space directions");
   find_roles(name, directions != nullptr, axes);
-  take_layout(axes, header.layout);
+  take_layout(axes, header);
   const std::string* space = find(fields, "space");
   const glm::dvec3 flips = to_lps(space ? *space : "");
   int column = 0;

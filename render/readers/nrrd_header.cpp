@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 
 #include "presets/error.h"
@@ -111,6 +112,29 @@ std::endian endian_of(const std::string& name, const NrrdText& text, ScalarType 
                           name, name_of(type)));
 }
 
+/// A header has at most 16 axes, with short words for each.
+void require_few_words(const std::string& name, const NrrdText& text) {
+  constexpr std::size_t most_axes = 16, longest_word = 128, longest_labels = 4096;
+  for (const char* key : {"sizes", "kinds", "spacings", "thicknesses", "centers", "centerings", "axis mins",
+                          "axismins", "axis maxs", "axismaxs", "space directions", "space origin"}) {
+    const auto found = text.fields.find(key);
+    if (found == text.fields.end()) continue;
+    const std::string& value = found->second;
+    const auto count = value.find('(') == std::string::npos ? std::ptrdiff_t(words(value).size())
+                                                            : std::ranges::count(value, '(');
+    const auto is_long = [](const std::string& word) { return word.size() > longest_word; };
+    if (std::ranges::any_of(words(value), is_long))
+      throw Error(fmt::format("{}: {} has a word of over {} characters", name, key, longest_word));
+    if (count > std::ptrdiff_t(most_axes))
+      throw Error(fmt::format("{}: {} of {} axes: NRRD has at most {}", name, key, count, most_axes));
+  }
+  for (const char* key : {"labels", "units", "space units"}) {
+    const auto found = text.fields.find(key);
+    if (found != text.fields.end() && found->second.size() > longest_labels)
+      throw Error(fmt::format("{}: its {} are longer than {} bytes", name, key, longest_labels));
+  }
+}
+
 Encoding encoding_of(const std::string& name, const std::string& text) {
   const std::string encoding = lower(text);
   if (encoding == "raw") return Encoding::raw;
@@ -176,6 +200,7 @@ VoxelHeader read_nrrd_header(const fs::path& path) {
   for (const char* key : {"type", "dimension", "sizes", "encoding"}) {
     if (!text.fields.contains(key)) throw Error(fmt::format("{}: the NRRD header has no \"{}\"", name, key));
   }
+  require_few_words(name, text);
   VoxelHeader header;
   take_nrrd_axes(name, text.fields, header);
   header.type = type_of(name, text.fields.at("type"));
@@ -197,6 +222,11 @@ VoxelHeader read_nrrd_header(const fs::path& path) {
   if (header.data.files.size() == 1) {
     header.data.offset = after_lines(name, header.data.files[0], header.data.offset, line_skip);
     header.data.first_line += std::size_t(line_skip);
+  }
+  constexpr std::int64_t most_inflated = std::int64_t(1) << 26;
+  if (header.data.encoding == Encoding::deflate && (byte_skip < 0 || byte_skip > most_inflated)) {
+    throw Error(fmt::format("{}: byte skip: {} in compressed data; it is from 0 to {}", name, byte_skip,
+                            most_inflated));
   }
   if (byte_skip > 0) header.data.skip = std::uint64_t(byte_skip);
   header.data.at_file_end = byte_skip == -1;

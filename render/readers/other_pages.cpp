@@ -7,6 +7,7 @@
 #include "render/files/file_request.h"
 #include "render/files/header_text.h"
 #include "render/readers/page_file.h"
+#include "render/readers/whole_jpeg.h"
 
 namespace crest {
 namespace {
@@ -82,8 +83,13 @@ class OtherFile : public PageFile {
  public:
   explicit OtherFile(const fs::path& file) : file_(file), input_(open(file)) {
     const OIIO::ImageSpec& spec = input_->spec();
-    format_ = {std::uint64_t(spec.width), std::uint64_t(spec.height), std::uint64_t(spec.nchannels),
-               scalar_type(file.string(), spec.format), ""};
+    format_ = {std::uint64_t(spec.width),
+               std::uint64_t(spec.height),
+               std::uint64_t(spec.nchannels),
+               scalar_type(file.string(), spec.format),
+               false,
+               ""};
+    format_.is_colour = spec.nchannels >= 3 && spec.channel_name(0) == "R";
     bits_ = unsigned(spec.get_int_attribute("oiio:BitsPerSample", 0));
     if (spec.depth > 1) throw Error(page_fault(file, 0, "it is an image with a depth"));
     if (has_palette(file) && spec.nchannels > 1) {
@@ -94,6 +100,8 @@ class OtherFile : public PageFile {
   std::size_t pages() override { return 1; }
   PageFormat format(std::size_t) override { return format_; }
   void read(std::size_t page, std::span<std::byte> out) override {
+    if (const std::string extension = extension_of(file_); extension == ".jpg" || extension == ".jpeg")
+      require_whole_jpeg(file_);
     if (!input_->read_image(0, 0, 0, int(format_.channels), input_->spec().format, out.data()))
       throw Error(page_fault(file_, page, one_line(input_->geterror())));
     if (bits_ == 0 || bits_ >= 8 * size_of(format_.type)) return;

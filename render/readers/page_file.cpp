@@ -16,7 +16,7 @@ std::unique_ptr<PageFile> open_pages(const std::filesystem::path& file) {
 }
 
 std::string page_fault(const std::filesystem::path& file, std::size_t page, const std::string& what) {
-  return fmt::format("{}: image {} could not be read: {}", file.string(), page + 1, what);
+  return fmt::format("{}: page {} could not be read: {}", file.string(), page + 1, what);
 }
 
 }  // namespace crest

@@ -14,6 +14,7 @@ namespace crest {
 struct PageFormat {
   std::uint64_t width = 0, height = 0, channels = 1;
   ScalarType type = ScalarType::uint8;
+  bool is_colour = false;  ///< its first channels are red, green and blue
   std::string note =
       {};  ///< what the values are, where that is not plain: "numbers of colours in its palette"
 

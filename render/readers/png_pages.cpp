@@ -55,6 +55,7 @@ class PngFile : public PageFile {
       format_.width = png_get_image_width(reader.png(), reader.info());
       format_.height = png_get_image_height(reader.png(), reader.info());
       format_.channels = png_get_channels(reader.png(), reader.info());
+      format_.is_colour = format_.channels >= 3;
       format_.type =
           png_get_bit_depth(reader.png(), reader.info()) == 16 ? ScalarType::uint16 : ScalarType::uint8;
       if (png_get_color_type(reader.png(), reader.info()) == PNG_COLOR_TYPE_PALETTE)

@@ -23,6 +23,7 @@ class PnmFile : public PageFile {
     format_.height = number(stream, 1 << 24);
     const std::uint64_t greatest = is_bitmap() ? 1 : number(stream, 65535);
     format_.channels = kind_ % 3 == 0 ? 3 : 1;
+    format_.is_colour = format_.channels == 3;
     format_.type = greatest > 255 ? ScalarType::uint16 : ScalarType::uint8;
     if (is_bitmap()) format_.note = "0 is shown white by other programs; values are kept";
     data_ = std::uint64_t(stream.tellg());

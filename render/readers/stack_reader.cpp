@@ -4,11 +4,12 @@
 #include <iterator>
 
 #include "presets/error.h"
+#include "render/files/header_text.h"
+#include "render/files/kinds.h"
 #include "render/readers/natural_order.h"
 #include "render/readers/page_file.h"
 #include "render/readers/readers.h"
 #include "render/readers/select_one.h"
-#include "render/readers/silence.h"
 #include "render/readers/subtract.h"
 #include "render/readers/tiff_file.h"
 #include "render/readers/voxel_header.h"
@@ -22,13 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view keys = "component,frame,spacing,origin,subtract";
-constexpr std::string_view image_extensions[] = {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp", ".exr",
-                                                 ".pgm", ".pbm", ".pnm",  ".ppm", ".tga",  ".jp2", ".webp"};
-
-bool is_image(const fs::path& path) {
-  return fs::is_regular_file(path) && !path.filename().string().starts_with('.') &&
-         std::ranges::find(image_extensions, extension_of(path)) != std::end(image_extensions);
-}
 
 /// One image: a file, or a page of one.
 struct Page {
@@ -49,13 +43,10 @@ void require_alike(const Page& page, const PageFormat& format, const PageFormat&
       name_of(first.type), values ? fmt::format(" ({})", first.note) : ""));
 }
 
+/// Of several channels the one that the query says.
 std::size_t channel_of(const FileRequest& request, const PageFormat& format, std::string& note) {
-  if (format.channels > 1 && !request.query.contains("component")) {
-    throw Error(
-        fmt::format("{}: its images have {} channels, and a volume is one: take the first with ?component=0",
-                    request.name(), format.channels));
-  }
-  return std::size_t(select_one(request, "component", format.channels, note));
+  return std::size_t(select_one(request, ChoiceKind::component, format.channels, note,
+                                format.is_colour ? colour_names(format.channels) : Names()));
 }
 
 glm::dvec3 vector_of(const FileRequest& request, std::string_view key, glm::dvec3 fallback) {
@@ -78,12 +69,10 @@ struct Stack {
 };
 
 Volume read_stack(const FileRequest& request, const Stack& stack) {
-  const Silence silence;
   auto file = open_pages(stack.pages.front().file);
   const PageFormat first = file->format(stack.pages.front().number);
   const glm::u64vec3 dims(first.width, first.height, stack.pages.size());
-  require_memory(request.name(), dims, first.channels * size_of(first.type) / stack.pages.size(),
-                 request.memory);
+  request.require_memory(dims, first.channels * size_of(first.type) / stack.pages.size());
 
   Volume volume;
   volume.file_type = first.type;
@@ -115,11 +104,6 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
 
 }  // namespace
 
-bool has_images(const fs::path& folder) {
-  return std::ranges::any_of(fs::directory_iterator(folder),
-                             [](const auto& entry) { return is_image(entry.path()); });
-}
-
 Volume read_image_pages(const FileRequest& request) {
   const std::string name = request.name();
   require_known_keys(name, request.query, keys);
@@ -134,12 +118,12 @@ Volume read_image_pages(const FileRequest& request) {
   if (order.components == 1) {
     stack.channel = channel_of(request, first, stack.note);
   } else {  // a plane may itself hold several channels
-    const std::size_t component =
-        std::size_t(select_one(request, "component", order.components * first.channels, stack.note));
+    const std::size_t component = std::size_t(
+        select_one(request, ChoiceKind::component, order.components * first.channels, stack.note));
     plane = component / first.channels;
     stack.channel = component % first.channels;
   }
-  const auto frame = std::size_t(select_one(request, "frame", order.frames, stack.note));
+  const auto frame = std::size_t(select_one(request, ChoiceKind::frame, order.frames, stack.note));
   for (std::size_t slice = 0; slice < order.slices; ++slice)
     stack.pages.push_back(
         {request.path, order.pages[(frame * order.components + plane) * order.slices + slice]});

@@ -122,7 +122,8 @@ class TiffFile : public PageFile {
     if (!type) fail(number, fmt::format("its pixels have {} bits of a kind that is not read", page.bits));
     if (page.photometric == PHOTOMETRIC_YCBCR && page.compression != COMPRESSION_JPEG)
       fail(number, "pixels as YCbCr are not read");
-    PageFormat format{page.width, page.height, page.channels, *type, ""};
+    PageFormat format{page.width, page.height, page.channels, *type, false, ""};
+    format.is_colour = page.photometric == PHOTOMETRIC_RGB || page.photometric == PHOTOMETRIC_YCBCR;
     if (page.photometric == PHOTOMETRIC_MINISWHITE)
       format.note = "0 is shown white by other programs (MINISWHITE); values are kept";
     if (page.photometric == PHOTOMETRIC_PALETTE) format.note = "values are numbers of colours in its palette";
@@ -164,7 +165,8 @@ class TiffFile : public PageFile {
               tiled ? TIFFReadEncodedTile(tiff_.get(), index, part.data(), tmsize_t(promised))
                     : TIFFReadEncodedStrip(tiff_.get(), index, part.data(), tmsize_t(promised));
           if (got < 0 || std::size_t(got) < promised || !fault_.empty())
-            fail(number, fault_.empty() ? "its data ends early" : fault_);
+            fail(number, fmt::format("its data ends early, or is damaged{}",
+                                     fault_.empty() ? "" : fmt::format(" ({})", fault_)));
           place(part, row_bytes, page, as, {x, y, columns, rows}, plane, separate, out);
         }
       }

@@ -33,9 +33,11 @@ void require_countable(const std::string& name, const VoxelLayout& layout) {
   }
 }
 
-Selection select(const FileRequest& request, const VoxelLayout& layout, std::string& note) {
-  const std::uint64_t component = select_one(request, "component", layout.components, note);
-  const std::uint64_t frame = select_one(request, "frame", layout.frames, note);
+Selection select(const FileRequest& request, const VoxelHeader& header, std::string& note) {
+  const VoxelLayout& layout = header.layout;
+  const std::uint64_t component =
+      select_one(request, ChoiceKind::component, layout.components, note, header.component_names);
+  const std::uint64_t frame = select_one(request, ChoiceKind::frame, layout.frames, note);
   Selection selection{layout.start + component * layout.component_stride + frame * layout.frame_stride, 1,
                       layout.stride};
   for (int axis = 0; axis < 3; ++axis) selection.count += (layout.dims[axis] - 1) * layout.stride[axis];
@@ -95,10 +97,9 @@ Volume read_voxels(const FileRequest& request, const VoxelHeader& header, const 
   const VoxelLayout& layout = header.layout;
   require_countable(name, layout);
   Volume volume;
-  const Selection selection = select(request, layout, volume.note);
+  const Selection selection = select(request, header, volume.note);
   const std::uint64_t points = layout.dims.x * layout.dims.y * layout.dims.z;
-  require_memory(name, layout.dims, (selection.count + points - 1) / points * size_of(header.type),
-                 request.memory);
+  request.require_memory(layout.dims, (selection.count + points - 1) / points * size_of(header.type));
   add_note(volume.note, header.note);
   if (header.scaling != LinearMap()) {
     add_note(volume.note, fmt::format("values are {} times the stored ones plus {}", header.scaling.slope,

@@ -40,7 +40,7 @@ VtiText read_text(const FileRequest& request) {
     text.xml.append(part, 0, std::size_t(file.gcount()));
     if (before == 0 && trim(text.xml).substr(0, 1) != "<")
       throw Error(fmt::format("{}: not a VTK XML file: it does not begin with \"<\"", request.name()));
-    if (text.xml.size() > request.memory / 4)
+    if (text.xml.size() > request.reading.memory / 4)
       throw Error(fmt::format("{}: reading it takes more memory than there is", request.name()));
     const std::size_t at = text.xml.find(mark, before > mark.size() ? before - mark.size() : 0);
     if (at == std::string::npos) continue;

@@ -6,12 +6,10 @@
 
 #include "presets/error.h"
 #include "render/files/header_text.h"
-#include "render/readers/silence.h"
 
 namespace crest {
 
 void with_gdcm(const std::string& name, const std::function<bool()>& work) {
-  const Silence silence;
   std::string why;
   try {
     if (work()) return;

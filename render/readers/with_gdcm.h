@@ -5,8 +5,8 @@
 
 namespace crest {
 
-/// Runs `work`, which tells whether GDCM could; what it prints is kept off stderr. A failure becomes an Error
-/// that begins with `name`. One thread at a time.
+/// Runs `work`, which tells whether GDCM could. A failure becomes an Error that begins with `name`. One
+/// thread at a time.
 void with_gdcm(const std::string& name, const std::function<bool()>& work);
 
 }  // namespace crest

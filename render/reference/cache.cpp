@@ -67,6 +67,12 @@ std::string file_content(const std::string& key, const Reference& reference) {
   return content;
 }
 
+/// Its length, to the byte.
+std::uintmax_t content_size(const std::string& key, glm::ivec2 size) {
+  constexpr std::size_t pixel = sizeof(glm::dvec4) + sizeof(std::uint32_t) + sizeof(std::uint8_t);
+  return key.size() + std::uintmax_t(size.x) * std::uintmax_t(size.y) * pixel;
+}
+
 /// Nothing where the content is of another key.
 std::optional<Reference> parse_content(const std::string& content, const std::string& key, glm::ivec2 size) {
   const std::size_t count = std::size_t(size.x) * std::size_t(size.y);
@@ -93,7 +99,7 @@ CachedReference render_reference_cached(const fs::path& folder, std::uintmax_t l
   if (folder.empty()) return {render_reference(scene, camera, size, answer, tolerance, progress), false};
   const std::string key = key_of(scene, camera, size, answer, tolerance);
   const fs::path file = file_of(folder, key);
-  if (const auto content = read_cached(file))
+  if (const auto content = read_cached(file, content_size(key, size)))
     if (auto cached = parse_content(*content, key, size)) return {std::move(*cached), true};
   CachedReference rendered{render_reference(scene, camera, size, answer, tolerance, progress), false};
   write_cached(file, file_content(key, rendered.reference), limit_bytes);

@@ -18,7 +18,6 @@ constexpr int pick_bins = 64;
 ExactRays::ExactRays(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
                      std::shared_ptr<const reference::EmptyCells> known)
     : scene_(scene),
-      camera_(camera),
       solved_(reference::solved_scene<double>(scene_, answer, {}, true, std::move(known))),
       rays_(reference::pixel_rays(scene_.volume->grid, scene_.rendering.clip_box, camera, size)) {}
 
@@ -26,10 +25,8 @@ ExactRay ExactRays::at(glm::ivec2 pixel) const {
   const auto ray = reference::pixel_ray<double>(rays_, pixel.x, pixel.y);
   ExactRay result;
   if (!ray.inside) return result;
-  const Grid& grid = scene_.volume->grid;
-  const double unit = grid.smallest_spacing();
-  const glm::dvec3 entry = grid.origin + ray.inside->origin * grid.spacing;
-  result.enter = glm::length(entry - camera_.eye);
+  const double unit = scene_.volume->grid.smallest_spacing();
+  result.enter = ray.depth * unit;
   result.exit = result.enter + ray.inside->length * unit;
   reference::RaySolver<double> solver(solved_.levels.levels, default_tolerance);
   reference::trace_volume(

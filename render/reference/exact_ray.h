@@ -11,7 +11,7 @@
 namespace crest {
 
 /// A place on a pixel's ray, and what the exact answer has collected before it. Depths are in world units,
-/// from the eye.
+/// from where the ray begins (RayFrame).
 struct RayPlace {
   double depth = 0;
   double value = 0;     ///< of the field that is integrated; NaN where the volume has no values
@@ -44,7 +44,6 @@ class ExactRays {
 
  private:
   Scene scene_;  ///< keeps the volume
-  Camera camera_;
   reference::SolvedScene<double> solved_;
   reference::PixelRays rays_;
 };

@@ -78,6 +78,7 @@ PixelRay<Real> pixel_ray(const PixelRays& rays, int x, int y) {
   const auto hit = intersect<Real>(origin, direction, low, high, eye);
   if (!(hit.exit > hit.enter)) return ray;
   ray.inside = CellRay<Real>{origin + hit.enter * direction, direction, hit.exit - hit.enter};
+  ray.depth = double(hit.enter - eye);
   if (hit.axis >= 0) ray.inside->origin[hit.axis] = direction[hit.axis] > 0 ? low[hit.axis] : high[hit.axis];
   return ray;
 }

@@ -23,8 +23,9 @@ PixelRays pixel_rays(const Grid& grid, const std::optional<ClipBox>& clip, const
 template <class Real>
 struct PixelRay {
   std::optional<CellRay<Real>> inside;  ///< its part in the box and before the eye, if there is one
-  glm::dvec3 float_rounding{0};         ///< of its positions, were they in 32-bit float; in cells
-  bool grazes_box = false;              ///< whether it meets the box is within that rounding
+  double depth = 0;              ///< of that part's entry, from where the ray begins; in smallest spacings
+  glm::dvec3 float_rounding{0};  ///< of its positions, were they in 32-bit float; in cells
+  bool grazes_box = false;       ///< whether it meets the box is within that rounding
 };
 
 /// The ray through the centre of a pixel (row 0 at the top), x(t) = origin + t direction, cut to the rendered

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "render/gl/program_cache.h"
 #include "render/resources/keyed_cache.h"
@@ -23,6 +24,7 @@ struct Resources {
 
   gl::ProgramCache programs;
   KeyedCache held;
+  std::optional<double> weight_error;  ///< of the texture unit (gl/filter_weights.h), once somebody asked
 };
 
 }  // namespace crest

@@ -61,7 +61,7 @@ double middle_from(const Corners& corners, double distance) {
 
 }  // namespace
 
-Camera whole_volume_camera(const Grid& grid, double aspect, double fov_y_degrees) {
+Camera whole_volume_camera(const Grid& grid, double aspect, double fov_y_degrees, Projection projection) {
   constexpr double filled = 0.9, least_gap = 1e-3;
   Camera camera;
   camera.up = {0, 0, 1};
@@ -75,7 +75,15 @@ Camera whole_volume_camera(const Grid& grid, double aspect, double fov_y_degrees
     across[i] = {glm::dot(corner, frame.u), along};
     upright[i] = {glm::dot(corner, frame.v), along};
   }
-  const double slope = filled * half_height(camera);
+  const double slope = filled * half_height(camera).slope;
+  camera.projection = projection;
+  if (projection == Projection::parallel) {
+    const double height = std::max(std::ranges::max(across, {}, &glm::dvec2::x).x / aspect,
+                                   std::ranges::max(upright, {}, &glm::dvec2::x).x);
+    camera.target = middle;
+    camera.eye = middle - height / slope * frame.w;
+    return camera;
+  }
   // A view so wide that it holds the box from a corner of it must not begin in that corner
   const double depth = std::ranges::max(across, {}, &glm::dvec2::y).y;
   const double distance = std::max({distance_to_see(across, slope * aspect), distance_to_see(upright, slope),
@@ -97,27 +105,39 @@ CameraFrame camera_frame(const Camera& camera) {
   return frame_of(view, camera.up);
 }
 
-double half_height(const Camera& camera) {
+HalfHeight half_height(const Camera& camera) {
   if (!(camera.fov_y_degrees > 0 && camera.fov_y_degrees < 180))
     throw Error(fmt::format("camera.fov_y_degrees: {} is not in (0, 180)", camera.fov_y_degrees));
-  return std::tan(glm::radians(0.5 * camera.fov_y_degrees));
+  if (camera.projection == Projection::parallel) return {half_height_at_target(camera), 0};
+  return {0, std::tan(glm::radians(0.5 * camera.fov_y_degrees))};
 }
 
 RayFrame ray_frame(const Camera& camera, const Grid& grid, glm::ivec2 image_size) {
   const CameraFrame axes = camera_frame(camera);
   const double unit = grid.smallest_spacing();
-  const double height = half_height(camera), width = height * double(image_size.x) / double(image_size.y);
+  const HalfHeight height = half_height(camera);
+  const double aspect = aspect_of(image_size);
   const glm::dvec3 eye = (camera.eye - grid.origin) / unit;
   const glm::dvec3 middle = 0.5 * grid.box_size() / unit;
+  const bool is_near = glm::length(middle - eye) <= glm::length(middle);
+  const double to_middle = glm::dot(middle - eye, axes.w);
   RayFrame rays;
   rays.w = axes.w;
-  rays.u = width * axes.u;
-  rays.v = height * axes.v;
-  const bool is_near = glm::length(middle - eye) <= glm::length(middle);
-  rays.eye_to_anchor = is_near ? 0 : std::max(0.0, glm::dot(middle - eye, axes.w));
-  rays.anchor = eye + rays.eye_to_anchor * axes.w;
-  rays.anchor_u = rays.eye_to_anchor * rays.u;
-  rays.anchor_v = rays.eye_to_anchor * rays.v;
+  rays.u = aspect * height.slope * axes.u;
+  rays.v = height.slope * axes.v;
+  double at_anchor = height.at_eye / unit;
+  if (camera.projection == Projection::parallel) {
+    rays.anchor = eye + to_middle * axes.w;
+    rays.eye_to_anchor = glm::length(middle);
+  } else {
+    rays.eye_to_anchor = is_near ? 0 : std::max(0.0, to_middle);
+    rays.anchor = eye + rays.eye_to_anchor * axes.w;
+    at_anchor = height.slope * rays.eye_to_anchor;
+  }
+  rays.anchor_u = aspect * at_anchor * axes.u;
+  rays.anchor_v = at_anchor * axes.v;
+  rays.pixel =
+      2 * glm::length(glm::dvec2(aspect, 1) / glm::dvec2(image_size)) * (height.at_eye / unit + height.slope);
   return rays;
 }
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <limits>
 
 #include "presets/choices.h"
 #include "presets/peaks.h"
+#include "render/scene/camera.h"
 
 namespace crest {
 namespace {
@@ -66,7 +66,7 @@ double haze_rounding(const Scene& scene) {
 double pixel_roundings(const Grid& grid, const Camera& camera, glm::ivec2 size) {
   const double distance =
       std::max(glm::length(grid.origin + 0.5 * grid.box_size() - camera.eye), 0.5 * diagonal(grid));
-  const double pixel = 2 * std::tan(glm::radians(0.5 * camera.fov_y_degrees)) / size.y * distance;
+  const double pixel = 2 * half_height(camera)(distance) / size.y;
   return pixel / (0x1p-24 * diagonal(grid));
 }
 

@@ -17,8 +17,8 @@ namespace crest {
 double haze_rounding(const Scene& scene);
 
 /// How wide a pixel is, in roundings of a position (2^-24 of the box's diagonal): in the volume's middle, or
-/// half a diagonal away where the eye is nearer to it. Where it is less than some, edges are drawn a pixel
-/// off ("a field of view of 0.001 degrees, from near").
+/// half a diagonal away where the eye is nearer to it; in parallel projection everywhere. Where it is less
+/// than some, edges are drawn a pixel off ("a field of view of 0.001 degrees, from near").
 double pixel_roundings(const Grid& grid, const Camera& camera, glm::ivec2 size);
 
 /// What was lost when the volume's values became 32-bit float, which no picture can bring back, as a sentence

@@ -29,6 +29,7 @@ void set_view(GLuint program, const Scene& scene, const Camera& camera, glm::ive
   set(program, "ray_v", glm::vec3(rays.v));
   set(program, "eye_to_anchor", float(rays.eye_to_anchor));
   set(program, "step_length", float(scene.rendering.step));
+  set(program, "pixel_diagonal", float(rays.pixel));
   set(program, "s_k", float(scene.rendering.s_k));
 }
 

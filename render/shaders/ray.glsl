@@ -5,14 +5,15 @@ uniform vec3 box_size, cell_size;
 uniform vec3 rendered_min, rendered_max;  // of the part of the box that is rendered
 uniform vec2 image_size;
 // A point on the ray through the image plane's (x, y) is ray_anchor + x*ray_anchor_u + y*ray_anchor_v: a plane
-// through the volume's middle, not the eye, so that a far eye costs no precision.
+// through the volume's middle, not the eye, so that a far eye costs no precision. In parallel projection ray_u and ray_v
+// are 0.
 uniform vec3 ray_anchor, ray_anchor_u, ray_anchor_v;
 uniform vec3 ray_w, ray_u, ray_v;  // the direction is w + x*u + y*v
 uniform float eye_to_anchor;       // along w
 
 struct Ray {
   vec3 origin, direction;  // direction has length 1
-  float eye;               // the eye's place along the ray
+  float eye;               // where it begins: the eye's place along it, or one before the box
 };
 
 // Engines and passes must find the same samples to the bit: what leads to them is `precise`, since a compiler may else

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "render/scene/camera.h"
 
@@ -31,8 +32,12 @@ std::vector<glm::dvec2> hull_of(std::vector<glm::dvec2> points) {
 }
 
 /// The box's corners in the camera's axes (right, up, forward), and where its edges pass `nearest` forward:
-/// only what lies beyond.
-std::vector<glm::dvec3> corners_before_eye(const Box& box, const Camera& camera, double nearest) {
+/// only what lies beyond, where the camera has an eye that nothing is seen behind.
+std::vector<glm::dvec3> corners_before_eye(const Box& box, const Camera& camera) {
+  const double nearest =
+      camera.projection == Projection::perspective
+          ? 1e-4 * glm::length(box.max - box.min) + 1e-9 * glm::length(camera.eye - box.min)
+          : -std::numeric_limits<double>::infinity();
   const CameraFrame frame = camera_frame(camera);
   const auto seen = [&](int corner) {
     const glm::dvec3 p =
@@ -73,11 +78,11 @@ Proxy proxy_of(std::vector<ScreenNode> nodes) {
 Proxy proxy_of(const Box& box, const Camera& camera, glm::ivec2 size, int layers) {
   Proxy proxy;
   if (box.is_empty() || layers == 0) return proxy;
-  const double height = half_height(camera), width = height * double(size.x) / double(size.y);
-  const double nearest = 1e-4 * glm::length(box.max - box.min) + 1e-9 * glm::length(camera.eye - box.min);
+  const HalfHeight half = half_height(camera);
   std::vector<glm::dvec2> points;
-  for (const glm::dvec3& p : corners_before_eye(box, camera, nearest)) {
-    const glm::dvec2 pixel = 0.5 * (glm::dvec2(p.x / width, -p.y / height) / p.z + 1.0) * glm::dvec2(size);
+  for (const glm::dvec3& p : corners_before_eye(box, camera)) {
+    const double height = half(p.z), width = height * aspect_of(size);
+    const glm::dvec2 pixel = 0.5 * (glm::dvec2(p.x / width, -p.y / height) + 1.0) * glm::dvec2(size);
     for (int corner = 0; corner < 4; ++corner)
       points.push_back(pixel + glm::dvec2(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1));
   }

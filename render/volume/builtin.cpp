@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "presets/error.h"
+#include "presets/nearest_word.h"
 #include "render/volume/builtin_fields.h"
 #include "render/volume/query.h"
 
@@ -136,7 +137,8 @@ std::pair<const Entry*, Parameters> parse(std::string_view name_and_query) {
   }
   std::vector<std::string_view> known;
   for (const Entry& entry : entries) known.push_back(entry.builtin.name);
-  throw Error(fmt::format("builtin:{}: there is no such volume; there are {}", name, fmt::join(known, ", ")));
+  throw Error(fmt::format("builtin:{}: there is no such volume; there are {}{}", name, fmt::join(known, ", "),
+                          did_you_mean(name, known)));
 }
 
 }  // namespace

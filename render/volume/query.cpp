@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "presets/error.h"
+#include "presets/nearest_word.h"
 
 namespace crest {
 namespace {
@@ -52,7 +53,8 @@ void require_known_keys(std::string_view name, const Query& query, std::string_v
     bool found = false;
     for (const std::string_view k : keys) found = found || k == key;
     if (!found)
-      throw Error(fmt::format("{}: it has no \"{}\"; its keys are {}", name, key, fmt::join(keys, ", ")));
+      throw Error(fmt::format("{}: it has no \"{}\"; its keys are {}{}", name, key, fmt::join(keys, ", "),
+                              did_you_mean(key, keys)));
   }
 }
 

@@ -293,7 +293,7 @@ TEST(SweepSize, KeepsTheShapeInAFewPixels) {
 TEST(OffscreenSweep, MeasuresAScene) {
   SweepSubject subject;
   subject.scene = testing::scene_with_peak(0.5);
-  subject.camera = {{3, 2, 4}, {0.5, 0.5, 0.5}, {0, 1, 0}, 30, {}};
+  subject.camera = {{3, 2, 4}, {0.5, 0.5, 0.5}, {0, 1, 0}, 30, Projection::perspective, {}};
   subject.size = {16, 16};
   BackgroundSweep sweep;
   sweep.update(subject, Clock::now());

@@ -1,6 +1,8 @@
 #include <map>
+#include <regex>
 
 #include "program.h"
+#include "tests/paths.h"
 
 namespace crest::test {
 namespace {
@@ -13,10 +15,11 @@ class CommandLine : public ProgramTest {
 };
 
 TEST_F(CommandLine, HelpTellsEachOption) {
-  const Words scene = {"--preset", "--mode", "--engine", "--step", "--eye",      "--target",
-                       "--up",     "--fov",  "--set",    "VOLUME", "--fit-range"};
+  const Words scene = {"--preset", "--mode", "--engine",     "--step", "--eye",  "--target",
+                       "--up",     "--fov",  "--projection", "--set",  "VOLUME", "--fit-range"};
   const Words picture = {"--output", "--size", "--frames", "--device", "--json"};
   const std::map<std::string, Words> commands = {
+      {"window", scene + Words{"--shaders", "--log-frames", "--log-layout"}},
       {"render", scene + picture},
       {"compare", scene + picture},
       {"peaks", {"PRESET", "--volume", "--bins", "--json"}},
@@ -28,8 +31,7 @@ TEST_F(CommandLine, HelpTellsEachOption) {
       {"match", {"PRESET", "--from", "--to", "--output", "--by", "histogram", "range", "--json"}},
       {"list", {"volumes", "formats", "methods", "presets", "devices"}}};
   const std::string help = output_of({"--help"});
-  for (const std::string& option : scene + Words{"--version", "--shaders", "--log-frames", "Exit codes"})
-    EXPECT_NE(help.find(option), std::string::npos) << option;
+  for (const char* part : {"--version", "Exit codes"}) EXPECT_NE(help.find(part), std::string::npos) << part;
   for (const auto& [command, options] : commands) {
     EXPECT_NE(help.find("\n  " + command), std::string::npos) << command;
     const std::string own_help = output_of({command, "--help"});
@@ -38,7 +40,15 @@ TEST_F(CommandLine, HelpTellsEachOption) {
   }
 }
 
-TEST_F(CommandLine, VersionIsOneLine) { EXPECT_EQ(output_of({"--version"}), "crest 0.1.0\n"); }
+TEST_F(CommandLine, VersionIsThatOfTheChangesWithTheCommit) {
+  std::smatch version, change;
+  const std::string told = output_of({"--version"}), changes = content_of(source_folder() / "CHANGELOG.md");
+  ASSERT_TRUE(
+      std::regex_match(told, version, std::regex("crest (\\d+\\.\\d+\\.\\d+)( \\([0-9a-f]{7,}\\+?\\))?\n")))
+      << told;
+  ASSERT_TRUE(std::regex_search(changes, change, std::regex("\n## (\\d+\\.\\d+\\.\\d+)\\b")));
+  EXPECT_EQ(version[1], change[1]);
+}
 
 TEST_F(CommandLine, ListsTellWhatThereIs) {
   const std::map<std::string, Words> lists = {
@@ -78,6 +88,24 @@ TEST_F(CommandLine, WordsThatThereAreNot) {
   expect_error(1, render + Words{"--device", "99"}, {"--device 99"});
 }
 
+TEST_F(CommandLine, TellsTheWordThatWasMeant) {
+  expect_error(2, render + Words{"--prset", "onion"}, {"--prset", "did you mean --preset?"});
+  expect_error(2, render + Words{"--prset=onion"}, {"--prset", "did you mean --preset?"});
+  expect_error(2, {"compare", "builtin:sphere", "-o", "a.png", "--turntable", "3"},
+               {"--turntable", "an option of render, which compare has not"});
+  expect_error(2, {"rendr", "builtin:sphere", "-o", "a.png"}, {"rendr", "did you mean render?"});
+  expect_error(2, {"rendr"}, {"rendr", "did you mean render?"});
+  expect_error(2, render + Words{"--mode", "peak_only"}, {"--mode", "did you mean PEAK_ONLY?"});
+  expect_error(2, render + Words{"--engine", "raycastr"}, {"--engine", "did you mean raycaster?"});
+  expect_error(2, render + Words{"--set", "rendering.sampling=unifrom"}, {"did you mean uniform?"});
+  expect_error(2, render + Words{"--set", "rendering.stpe=1"}, {"did you mean step?"});
+  expect_error(1, render + Words{"--preset", "dirac-shel"}, {"did you mean dirac-shell?"});
+  expect_error(2, {"export", "onion", "--to", "paraveiw", "-o", path("x")}, {"did you mean paraview?"});
+  expect_error(2, {"report", "--study", "knol", "-o", path("x")}, {"--study", "did you mean knoll?"});
+  expect_error(1, {"info", "builtin:shpere"}, {"did you mean sphere?"});
+  expect_error(1, {"info", "builtin:sphere?radios=1"}, {"did you mean radius?"});
+}
+
 TEST_F(CommandLine, OptionsBeforeACommandAreNotLost) {
   expect_error(2, Words{"--mode", "DVR_ONLY"} + render, {"--mode", "render"});
   expect_error(2, Words{"builtin:gyroid"} + render, {"VOLUME", "render"});
@@ -110,6 +138,7 @@ TEST_F(CommandLine, NumbersOfOptions) {
 
 TEST_F(CommandLine, Cameras) {
   expect_error(1, render + Words{"--eye", "1,1,1", "--target", "1,1,1"}, {"eye and target", "same point"});
+  expect_error(2, render + Words{"--projection", "isometric"}, {"--projection", "perspective, parallel"});
   for (const char* fov : {"0", "180", "-30", "nan"}) expect_error(2, render + Words{"--fov", fov}, {"--fov"});
   for (const char* eye : {"1,2", "1,2,3,4", "1,2,x", "nan,0,0", "1;2;3", "1,2,3],\"up\":[0"})
     expect_error(2, render + Words{"--eye", eye}, {"--eye", "camera.eye"});

@@ -57,6 +57,22 @@ TEST_F(Picture, ASlabByHand) {
     for (int channel = 0; channel < 4; ++channel) ASSERT_NEAR(pixel[channel], 0.75, 1e-5);
 }
 
+// All rays of a parallel picture are as long, from wherever it is seen, and the height is that at the target.
+TEST_F(Picture, ASlabInParallelProjection) {
+  const Words beside = {"--eye", "0,0,-3", "--target", "0,0,0",
+                        "--up",  "0,1,0",  "--fov",    "36.86989764584402"};
+  const Words slab = data_values + beside + Words{"--set", flat, "--mode", "DVR_ONLY"};
+  const Image image = image_of(slab + Words{"--projection", "parallel"});
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 24; ++x)  // a pixel is an eighth; the cube goes from -1 to 1
+      ASSERT_NEAR(image.at(x, y).a, x >= 4 && x < 20 ? 0.75 : 0, 1e-5) << x << ", " << y;
+  const Image cut = image_of(slab + Words{"--projection", "perspective"});
+  EXPECT_GT(cut.at(8, 8).a, 0.751) << "aslant the way is longer";
+  const Image whole = image_of(Words{"--projection", "parallel", "--preset", "onion"});
+  EXPECT_EQ(whole.at(0, 8).a, 0) << "the whole volume is in view";
+  EXPECT_GT(whole.at(12, 8).a, 0);
+}
+
 TEST_F(Picture, SamplesOfASlabByHand) {
   // 2 units of way in steps of 0.3 * 0.125: 53.3, so 54 segments, whose midpoints DVR evaluates.
   const Words slab = data_values + along_z + Words{"--step", "0.3", "--json"};

@@ -49,13 +49,17 @@ ProgramTest::~ProgramTest() {
 }
 
 Outcome ProgramTest::run(const std::vector<std::string>& arguments, const std::string& shell_prefix) const {
-  const fs::path streams = new_folder();
   std::string words = quoted(crest_program().string());
   for (const std::string& argument : arguments) words += fmt::format(" {}", quoted(argument));
-  const std::string line = fmt::format(
-      "cd {} && unset DISPLAY && ({} exec timeout 600 {}) >{} 2>{}", quoted(folder_.string()), shell_prefix,
-      words, quoted((streams / "out").string()), quoted((streams / "err").string()));
-  const int status = std::system(line.c_str());
+  return run_shell(fmt::format("{} exec timeout 600 {}", shell_prefix, words));
+}
+
+Outcome ProgramTest::run_shell(const std::string& line) const {
+  const fs::path streams = new_folder();
+  const std::string whole = fmt::format(
+      "cd {} && unset DISPLAY && export XDG_CONFIG_HOME={}/config && ({}) >{} 2>{}", quoted(folder_.string()),
+      quoted(streams.string()), line, quoted((streams / "out").string()), quoted((streams / "err").string()));
+  const int status = std::system(whole.c_str());
   Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(streams / "out"),
                   content_of(streams / "err")};
   fs::remove_all(streams);

@@ -24,6 +24,8 @@ class ProgramTest : public testing::Test {
   /// The program with these arguments, without a display. `shell_prefix` goes before it in the shell's line
   /// ("ulimit -f 1;"); a run of more than 600 seconds ends with exit code 124.
   Outcome run(const std::vector<std::string>& arguments, const std::string& shell_prefix = "") const;
+  /// A line of the shell, run in the folder in the same way.
+  Outcome run_shell(const std::string& line) const;
   /// A run that must succeed, and what it printed.
   std::string output_of(const std::vector<std::string>& arguments) const;
   nlohmann::json json_of(const std::vector<std::string>& arguments) const;

@@ -24,7 +24,7 @@ class Recovery : public ::testing::Test {
     KeptDocument one;
     one.document.volume_source = "builtin:plume?n=64";
     one.document.preset = load_preset(preset);
-    one.document.preset.camera = Camera{{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 40, ""};
+    one.document.preset.camera = Camera{{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 40, Projection::perspective, ""};
     one.document.preset_path = "/presets/mine.json";
     one.time = std::chrono::system_clock::time_point(seconds(1'700'000'000 - age));
     return one;

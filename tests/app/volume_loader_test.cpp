@@ -15,7 +15,10 @@ namespace {
 class SlowReader {
  public:
   VolumeLoader::Read read() const {
-    return [released = released_](const std::string& source) {
+    return [released = released_](const std::string& source, const std::stop_token& stop) {
+      if (source.starts_with("until stopped")) {
+        while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
       if (source.starts_with("slow")) released.wait();
       if (source.ends_with("bad")) throw Error(source + ": is bad");
       Volume volume;
@@ -88,6 +91,18 @@ TEST(VolumeLoader, MayGoWhileAThreadReads) {
   SlowReader reader;
   { VolumeLoader(reader.read()).start("slow"); }  // would not return if it waited
   reader.release();
+}
+
+TEST(VolumeLoader, AsksWhatIsNotWantedToStop) {
+  SlowReader reader;
+  VolumeLoader loader(reader.read());
+  loader.start("until stopped");
+  loader.start("other");
+  EXPECT_EQ(result_of(loader).source, "other");
+  wait_for_threads(loader);  // would not return
+  loader.start("until stopped");
+  loader.cancel();
+  wait_for_threads(loader);
 }
 
 TEST(VolumeLoader, TellsWhyNot) {

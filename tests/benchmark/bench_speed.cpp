@@ -21,7 +21,7 @@
 #include "render/volume/builtin.h"
 #include "render/volume/macrocells.h"
 #include "tests/benchmark/contestant.h"
-#include "tests/changed_shaders.h"
+#include "tests/benchmark/fetch_loop.h"
 
 namespace crest::bench {
 namespace {
@@ -89,15 +89,6 @@ Race share_race(const std::shared_ptr<const Volume>& noise, double threshold, Cl
   return {fmt::format("with skipping to without, {}, {:.0f} % of the macrocells show", name_of(method),
                       100.0 * double(shown) / double(cells.count())),
           skipping, with({scene}, &Rendering::skipping, false), 1};
-}
-
-/// A loop over the samples of DVR that only reads the volume: what the machine can do.
-ChangedShaders fetch_loop() {
-  return {"raycaster.frag",
-          "    vec4 material = classify(dvr_field(at(ray, t)));\n"
-          "    COUNT_DVR_SAMPLE;\n"
-          "    composite(material.rgb * DVR_LIGHT(t), opacity_of(material.a * size_at(s, i)));\n",
-          "    collected += vec4(dvr_field(at(ray, t)));\n"};
 }
 
 std::optional<Frame> real_vessels() {

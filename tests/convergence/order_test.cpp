@@ -98,7 +98,8 @@ TEST_F(Order, SilhouettesOfPeakOnly) {
   const auto tf =
       make_tf({point(-60, 0), point(19.9, 0), point(20, 0.6, orange), point(20.1, 0), point(60, 0)});
   // So few pixels are lost in the split form that their number depends on the view: it is this one
-  const Camera camera{{336.248, -419.996, 305.998}, glm::dvec3(64), {0, 0, 1}, 20, {}};
+  const Camera camera{
+      {336.248, -419.996, 305.998}, glm::dvec3(64), {0, 0, 1}, 20, Projection::perspective, {}};
   const glm::ivec2 size(512);
   for (const PeakForm form : {PeakForm::paper, PeakForm::split}) {
     Scene scene = scene_of(volume, tf, Mode::peak_only, form);

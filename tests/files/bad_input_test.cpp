@@ -43,7 +43,7 @@ TEST_F(BadInput, NoPermission) {
   expect_error(file, {file, "ermission denied"});
 }
 
-/// By this process so far.
+/// By this process so far, and its readers.
 std::size_t bytes_read() {
   std::ifstream counts("/proc/self/io");
   std::string name;

@@ -167,14 +167,14 @@ TEST_F(DicomTest, DamagedSlicesAreReadOrRefused) {
   write("s/1.dcm", dicom_slice(4, 3, 0, 1, pixels(0)));
   Random random(7);
   const auto below = [&](std::size_t n) { return std::size_t(random.uniform(0, double(n))); };
-  for (int round = 0; round < 1000; ++round) {
+  for (int round = 0; round < 150; ++round) {
     std::string damaged = slice;
     for (std::size_t i = 0, changes = 1 + below(3); i < changes; ++i) {
       damaged[128 + below(slice.size() - 128)] = char(below(256));
     }
     write("s/2.dcm", damaged);
     try {
-      load_volume(path("s"), 1u << 24);
+      load_volume(path("s"), {.memory = 1u << 24});
     } catch (const Error& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
     }

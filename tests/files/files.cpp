@@ -277,10 +277,8 @@ Sample mrc(ScalarType type, std::endian endian) {
   return {"volume.mrc", header.bytes() + voxel_bytes(type, endian)};
 }
 
-namespace {
-/// An element of a little-endian, explicit-VR DICOM file.
-std::string element(unsigned group, unsigned number, const std::string& vr, std::string value) {
-  if (value.size() % 2 != 0) value += vr == "UI" ? '\0' : ' ';
+std::string dicom_element(unsigned group, unsigned number, const std::string& vr, std::string value) {
+  if (value.size() % 2 != 0) value += vr == "UI" || vr == "OB" ? '\0' : ' ';
   std::string out;
   const auto put16 = [&](std::size_t v) {
     append_value(out, double(v), ScalarType::uint16, std::endian::little);
@@ -296,26 +294,34 @@ std::string element(unsigned group, unsigned number, const std::string& vr, std:
   }
   return out + value;
 }
-std::string us(int value) {
+
+std::string dicom_us(int value) {
   std::string out;
   append_value(out, value, ScalarType::uint16, std::endian::little);
   return out;
 }
-}  // namespace
+
+std::string dicom_head(const std::string& sop_class, const std::string& instance, const std::string& syntax) {
+  const std::string meta = dicom_element(2, 1, "OB", std::string("\0\1", 2)) +
+                           dicom_element(2, 2, "UI", sop_class) + dicom_element(2, 3, "UI", instance) +
+                           dicom_element(2, 0x10, "UI", syntax);
+  std::string length;
+  append_value(length, double(meta.size()), ScalarType::uint32, std::endian::little);
+  std::string head(128, '\0');
+  head += "DICM";
+  return head + dicom_element(2, 0, "UL", length) + meta + dicom_element(8, 0x16, "UI", sop_class) +
+         dicom_element(8, 0x18, "UI", instance);
+}
 
 std::string dicom_slice(int columns, int rows, double z, int number, const std::vector<std::int16_t>& pixels,
                         const std::string& slope, const std::string& intercept, const std::string& series) {
-  const std::string ct = "1.2.840.10008.5.1.4.1.1.2", instance = fmt::format("{}.{}", series, number);
-  const std::string meta = element(2, 1, "OB", std::string("\0\1", 2)) + element(2, 2, "UI", ct) +
-                           element(2, 3, "UI", instance) + element(2, 0x10, "UI", "1.2.840.10008.1.2.1");
-  std::string length, data;
-  append_value(length, double(meta.size()), ScalarType::uint32, std::endian::little);
+  const auto element = dicom_element;
+  const auto us = dicom_us;
+  std::string data;
   for (const std::int16_t pixel : pixels) append_value(data, pixel, ScalarType::int16, std::endian::little);
-  std::string head(128, '\0');
-  head += "DICM";
-  return head + element(2, 0, "UL", length) + meta + element(8, 0x16, "UI", ct) +
-         element(8, 0x18, "UI", instance) + element(8, 0x60, "CS", "CT") + element(0x18, 0x50, "DS", "9") +
-         element(0x20, 0xd, "UI", "1.2") + element(0x20, 0xe, "UI", series) + element(0x20, 0x11, "IS", "1") +
+  return dicom_head("1.2.840.10008.5.1.4.1.1.2", fmt::format("{}.{}", series, number)) +
+         element(8, 0x60, "CS", "CT") + element(0x18, 0x50, "DS", "9") + element(0x20, 0xd, "UI", "1.2") +
+         element(0x20, 0xe, "UI", series) + element(0x20, 0x11, "IS", "1") +
          element(0x20, 0x13, "IS", std::to_string(number)) +
          element(0x20, 0x32, "DS", fmt::format("10\\20\\{}", z)) +
          element(0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0") + element(0x28, 2, "US", us(1)) +

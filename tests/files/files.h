@@ -58,6 +58,12 @@ Sample mrc(ScalarType type, std::endian endian);        ///< int8, int16, uint16
 std::string nifti_header(ScalarType type, std::endian endian, float slope, float intercept);
 std::string gzip(const std::string& bytes);
 
+/// An element of a little-endian DICOM file that says its types, and a number as such an element's value.
+std::string dicom_element(unsigned group, unsigned number, const std::string& vr, std::string value);
+std::string dicom_us(int value);
+/// Such a file to its first elements of group 8.
+std::string dicom_head(const std::string& sop_class, const std::string& instance,
+                       const std::string& syntax = "1.2.840.10008.1.2.1");
 /// One DICOM slice of 16-bit signed pixels, columns x rows, at height z.
 std::string dicom_slice(int columns, int rows, double z, int number, const std::vector<std::int16_t>& pixels,
                         const std::string& slope = "1", const std::string& intercept = "0",

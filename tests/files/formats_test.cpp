@@ -94,14 +94,14 @@ TEST_P(EveryFormat, DamagedHeadersAreReadOrRefused) {
   const std::size_t header = sample.content.size() - (sample.data_name.empty() ? points * 2 : 0);
   Random random(7);
   const auto below = [&](std::size_t n) { return std::size_t(random.uniform(0, double(n))); };
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < 60; ++round) {
     Sample damaged = sample;
     for (std::size_t i = 0, changes = 1 + below(3); i < changes; ++i) {
       damaged.content[below(std::min(header, damaged.content.size()))] =
           round % 2 == 0 ? char(below(256)) : char('0' + below(10));
     }
     try {
-      load_volume(write_sample(damaged), 1u << 24);
+      load_volume(write_sample(damaged), {.memory = 1u << 24});
     } catch (const Error& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
     }
@@ -123,8 +123,8 @@ TEST_P(EveryFormat, UpperCaseSymlinksAndOddNamesAreRead) {
 
 TEST_P(EveryFormat, TooLittleMemoryIsRefused) {
   const std::string file = write_sample(GetParam().sample(int16, GetParam().orders.front()));
-  EXPECT_THROW(load_volume(file, points * sizeof(float)), Error);
-  EXPECT_NO_THROW(load_volume(file, points * 64));
+  EXPECT_THROW(load_volume(file, {.memory = points * sizeof(float)}), Error);
+  EXPECT_NO_THROW(load_volume(file, {.memory = points * 64}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Volume, EveryFormat, testing::ValuesIn(formats),

@@ -78,7 +78,7 @@ TEST_F(RawTest, MoreThanTheMemoryIsRefusedWithBothSizes) {
   const std::string file = write("big.raw", "");
   std::filesystem::resize_file(file, 1000u * 1000 * 1000);  // sparse
   try {
-    load_volume(file + "?size=1000x1000x1000&type=uint8", 3'000'000'000);
+    load_volume(file + "?size=1000x1000x1000&type=uint8", {.memory = 3'000'000'000});
     FAIL();
   } catch (const std::exception& error) {
     EXPECT_NE(std::string(error.what()).find("4 GB"), std::string::npos) << error.what();

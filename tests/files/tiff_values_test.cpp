@@ -152,7 +152,7 @@ TEST_F(TiffValues, DataThatIsShorterThanPromisedIsRefused) {
   const TiffBytes tiff;
   std::vector<std::string> cut = pages(3);
   cut[1].resize(7);
-  expect_error(write("short.tif", tiff.file(cut)), {"image 2"});
+  expect_error(write("short.tif", tiff.file(cut)), {"page 2"});
 }
 
 TEST_F(TiffValues, NetpbmsGreatestValueScalesNothing) {

@@ -235,6 +235,22 @@ TEST(ParaViewScript, HasWhatTheModeShows) {
       << "the spike is the peak's alone";
 }
 
+// Half the height of the view at the target, which is what VTK calls the parallel scale.
+TEST(ParaViewScript, KeepsTheProjection) {
+  ExportInput input = input_of(spike());
+  Camera& camera = input.preset.camera.emplace();
+  camera.eye = {0, 0, 10};
+  camera.target = {0, 0, 0};
+  camera.fov_y_degrees = 90;
+  EXPECT_EQ(text_of("paraview-script", input).find("Parallel"), std::string::npos);
+  camera.projection = Projection::parallel;
+  const std::string text = text_of("paraview-script", input);
+  EXPECT_NE(text.find("view.CameraParallelProjection = 1\n"), text.npos);
+  const std::size_t at = text.find("view.CameraParallelScale = ");
+  ASSERT_NE(at, text.npos);
+  EXPECT_NEAR(std::stod(text.substr(at + 27)), 10, 1e-12);
+}
+
 // A name may hold anything.
 TEST(ParaViewScript, NamesDoNotBreakIt) {
   ExportInput input = input_of(spike());

@@ -128,6 +128,11 @@ TEST(PresetChanges, Settings) {
   EXPECT_EQ(after([](Preset& p) { p.transfer_function.unit_distance = 3; }),
             Sentences{"Change unit distance from 1 to 3"});
   EXPECT_EQ(after([](Preset& p) { p.camera = Camera{}; }), Sentences{"Move the camera"});
+  EXPECT_EQ(after([](Preset& p) {
+              p.camera = Camera{};
+              p.camera->projection = Projection::parallel;
+            }),
+            Sentences{"Switch to parallel projection"});
   EXPECT_EQ(after([](Preset& p) { p.name = "Hill", p.notes = "a\nb", p.tags = {"CT"}; }),
             (Sentences{"Name it Hill", "Change the notes", "Change the tags"}));
 }

@@ -70,7 +70,9 @@ inline Preset random_preset(std::mt19937& random) {
   }
   rendering.early_termination = unit(random) / 100;
   rendering.background = color();
-  if (random() % 2) preset.camera = Camera{vector(), vector(), vector(), 0.1 + 170 * unit(random), ""};
+  if (random() % 2)
+    preset.camera =
+        Camera{vector(), vector(), vector(), 0.1 + 170 * unit(random), Projection(random() % 2), ""};
   return preset;
 }
 

@@ -57,8 +57,10 @@ TEST(SetField, TakesNumbersAsPeopleWriteThem) {
 }
 
 TEST(SetField, MakesACameraAndTakesItAway) {
+  const Preset parallel = set_field(plain(), "camera.projection=parallel");
+  EXPECT_EQ(parallel.camera->projection, Projection::parallel);
   const Preset with = set_field(plain(), "camera.eye=[0,0,5]");
-  EXPECT_EQ(with.camera, (Camera{{0, 0, 5}, {0, 0, 1}, {0, 1, 0}, 30, ""}));
+  EXPECT_EQ(with.camera, (Camera{{0, 0, 5}, {0, 0, 1}, {0, 1, 0}, 30, Projection::perspective, ""}));
   EXPECT_EQ(set_field(with, "camera=null"), plain());
 }
 
@@ -97,11 +99,11 @@ TEST(SetField, RefusesWhatIsNotThere) {
             "rendering.stp: no field \"stp\"; rendering has: mode, peak_form, engine, vdls, classification, "
             "preintegration_bins, step, placement, sampling, s_k, adaptive, skipping, filter, root_filter, "
             "bc_b, bc_c, max_peaks, peak_bins, shading, gradient, illumination, early_termination, clip_box, "
-            "background");
+            "background; did you mean step?");
   EXPECT_EQ(error_of("render.step=1"),
             "render.step: no field \"render\"; a preset has: format, version, name, notes, tags, "
             "transfer_function, "
-            "rendering, camera");
+            "rendering, camera; did you mean rendering?");
   EXPECT_EQ(error_of("transfer_function.points[2].value=1"),
             "transfer_function.points[2].value: transfer_function.points has 2 elements, counted from 0");
   EXPECT_EQ(error_of("rendering[0]=1"), "rendering[0]: rendering is not an array");

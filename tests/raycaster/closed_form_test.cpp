@@ -193,5 +193,30 @@ TEST_F(ClosedForm, NothingBesideOrBehind) {
   }
 }
 
+// A sphere's shell in parallel projection: a disc of two crossings a ray, as large wherever the eye is, and
+// as much haze before and behind it as the box is long.
+TEST_F(ClosedForm, ASphereInParallelProjectionIsADisc) {
+  const Grid grid{glm::ivec3(65), glm::dvec3(1), glm::dvec3(0)};
+  const auto volume = make_volume(grid, [](glm::dvec3 p) { return glm::length(p - glm::dvec3(32)); });
+  Scene scene{volume, make_tf({point(0, 0), point(20, 0), point(20, 0.5), point(20, 0), point(60, 0)}), {}};
+  scene.rendering.mode = Mode::peak_only;
+  const glm::ivec2 size(64);
+  for (const double distance : {5.0, 40.0, 300.0})
+    for (const auto method : {ClassificationMethod::post, ClassificationMethod::analytic}) {
+      scene.rendering.classification = method;
+      Camera camera{.eye = {32, 32, 32 - distance}, .target = glm::dvec3(32), .up = {0, 1, 0}, .unknown = {}};
+      camera.projection = Projection::parallel;
+      camera.fov_y_degrees = glm::degrees(2 * std::atan(32 / distance));  // a pixel is one voxel
+      const Image image = render(scene, camera, size);
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+          const double radius = std::hypot(x + 0.5 - 32, y + 0.5 - 32);
+          if (std::abs(radius - 20) < 0.2) continue;  // the sphere of the grid's points is one of flat pieces
+          ASSERT_NEAR(image.at(x, y).a, radius < 20 ? 0.75 : 0, 1e-5)
+              << "eye at " << distance << ": " << x << ", " << y;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace crest::testing

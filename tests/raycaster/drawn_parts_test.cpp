@@ -4,6 +4,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <random>
 
 #include "render/scene/camera.h"
@@ -11,18 +12,22 @@
 namespace crest {
 namespace {
 
-/// Whether the ray of a pixel meets the box before the eye.
+/// Whether the ray of a pixel meets the box: before the eye, in perspective.
 bool meets(const Camera& camera, glm::ivec2 size, glm::ivec2 pixel, const Box& box) {
   const CameraFrame frame = camera_frame(camera);
+  const bool is_parallel = camera.projection == Projection::parallel;
   const glm::dvec2 plane = (2.0 * (glm::dvec2(pixel) + 0.5) / glm::dvec2(size) - 1.0) * glm::dvec2(1, -1) *
-                           half_height(camera) * glm::dvec2(aspect_of(size), 1);
-  const glm::dvec3 direction = frame.w + plane.x * frame.u + plane.y * frame.v;
-  const glm::dvec3 a = (box.min - camera.eye) / direction, b = (box.max - camera.eye) / direction;
+                           glm::dvec2(aspect_of(size), 1) * std::tan(glm::radians(camera.fov_y_degrees / 2));
+  const glm::dvec3 aside = plane.x * frame.u + plane.y * frame.v;
+  const glm::dvec3 direction = is_parallel ? frame.w : frame.w + aside;
+  const glm::dvec3 origin =
+      is_parallel ? camera.eye + glm::length(camera.target - camera.eye) * aside : camera.eye;
+  const glm::dvec3 a = (box.min - origin) / direction, b = (box.max - origin) / direction;
   const glm::dvec3 in = glm::min(a, b), out = glm::max(a, b);
-  return std::max({in.x, in.y, in.z, 0.0}) <= std::min({out.x, out.y, out.z});
+  return std::max({in.x, in.y, in.z, is_parallel ? -1e300 : 0.0}) <= std::min({out.x, out.y, out.z});
 }
 
-// Eyes outside and inside, near faces and far away.
+// Eyes outside and inside, near faces and far away; in both projections.
 TEST(DrawnParts, HoldEveryRayThatMeetsABoxOnce) {
   std::mt19937 random(5);
   const auto unit = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
@@ -38,6 +43,7 @@ TEST(DrawnParts, HoldEveryRayThatMeetsABoxOnce) {
     camera.eye = 0.5 + (vector() - 0.5) * (trial % 3 == 0 ? 1.0 : trial % 3 == 1 ? 4.0 : 1e3);
     camera.target = vector();
     camera.fov_y_degrees = trial % 3 == 2 ? 0.1 : 10 + 80 * unit();
+    if (trial % 2) camera.projection = Projection::parallel;
     std::vector<Box> boxes;
     const glm::dvec3 least = 0.3 * vector();
     const Box rendered{least, least + 0.6};

@@ -59,8 +59,12 @@ inline Camera along_z(const Grid& grid, double extent) {
 
 /// Sees the whole box of the built-in volumes, from -1 to 1, in a square picture: of its own, so that what is
 /// kept or was measured in it does not depend on how a view is fitted.
-inline const Camera sees_unit_cube{
-    {2.9297745775126893, -5.2084881378003365, 2.6042440689001682}, {0, 0, 0}, {0, 0, 1}, 30, {}};
+inline const Camera sees_unit_cube{{2.9297745775126893, -5.2084881378003365, 2.6042440689001682},
+                                   {0, 0, 0},
+                                   {0, 0, 1},
+                                   30,
+                                   Projection::perspective,
+                                   {}};
 
 /// Of two pictures of one size, in any channel of any pixel.
 inline double largest_difference(const Image& a, const Image& b) {

@@ -85,7 +85,7 @@ TEST_F(ProgramFiles, ADamagedFileIsCompiledAgain) {
 TEST_F(ProgramFiles, WhatTheDriverDoesNotTakeIsCompiledAgain) {
   EXPECT_EQ(compiled(), 1);
   const fs::path file = files().at(0);
-  std::string content = *read_cached(file);
+  std::string content = *read_cached(file, 1 << 30);
   content.resize(sizeof(GLenum));  // the format alone
   write_cached(file, content + std::string(1000, 'x'), gl::program_files_bytes);
   EXPECT_EQ(compiled(), 1);

@@ -136,6 +136,7 @@ View random_view(std::uint64_t seed) {
   view.scene.tf = random_tf(dice);
   view.scene.rendering = random_rendering(dice, view.scene.volume->grid);
   view.camera = random_camera(dice, view.scene.volume->grid);
+  if (dice.one_in(4)) view.camera.projection = Projection::parallel;
   return view;
 }
 

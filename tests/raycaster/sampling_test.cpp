@@ -32,20 +32,25 @@ Camera camera_from(double before) {
   return camera;
 }
 
-/// What the papers' formulas say of the middle ray of a picture of one pixel.
+/// What the papers' formulas say of the middle ray of a picture of one pixel; in parallel projection nothing
+/// grows.
 struct Boundaries {
   Sampling sampling;
   double k, spread;
 
   double at(double x) const {  // from the eye
+    if (spread == 0) return k * x;
     if (sampling == Sampling::footprint) return std::pow(1 + k, x) - 1;
     return k * x + k * spread * x * (x - 1) / 2;
   }
 };
 
 Boundaries boundaries_of(const Camera& camera, const Rendering& rendering) {
-  const double k = differential_k(camera, {1, 1}, rendering.s_k);
-  return {rendering.sampling, k, half_height(camera)};
+  const double half = std::tan(glm::radians(camera.fov_y_degrees / 2));  // a pixel's side, and its width
+  if (camera.projection == Projection::perspective)
+    return {rendering.sampling, rendering.s_k * half * std::sqrt(8.0), half};
+  const double distance = glm::length(camera.target - camera.eye);
+  return {rendering.sampling, rendering.s_k * half * distance * std::sqrt(8.0), 0};
 }
 
 class VaryingSteps : public RaycasterTest {
@@ -117,6 +122,32 @@ TEST_F(VaryingSteps, HoldFarAway) {
   EXPECT_NO_THROW(render(scene, camera, {3, 3}));
   scene.rendering.sampling = Sampling::differential;
   EXPECT_THROW(render(scene, camera, {3, 3}), Error);
+}
+
+// Where no pixel grows, all steps are alike: s_k pixels' diagonals.
+TEST_F(VaryingSteps, AreAlikeInParallelProjection) {
+  scene.tf = make_tf({point(0, 1e-3, glm::dvec3(0)), point(1, 1e-3, glm::dvec3(1))}, 1);
+  scene.rendering.mode = Mode::dvr_only;
+  Camera camera = camera_from(3);
+  camera.projection = Projection::parallel;
+  for (const Sampling sampling : {Sampling::differential, Sampling::footprint})
+    for (const bool adaptive : {false, true})
+      for (const double s_k : {0.005, 0.02, 0.1}) {
+        scene.rendering.sampling = sampling;
+        scene.rendering.adaptive = adaptive;
+        scene.rendering.s_k = s_k;
+        const double k = boundaries_of(camera, scene.rendering).k, steps = depth / k;
+        const std::string what = std::string(name_of(sampling)) + ' ' + std::to_string(s_k);
+        if (!adaptive) {
+          EXPECT_NEAR(this->count(scene, camera, {1, 1}).dvr_samples, steps, 2)
+              << what;  // it begins and ends in one
+        }
+        const double light = -std::expm1(depth * std::log1p(-1e-3));
+        EXPECT_NEAR(render(scene, camera, {1, 1}).at(0, 0).a, light, 2e-6) << what;
+      }
+  scene.rendering.s_k = 0.001;
+  camera.fov_y_degrees = 1e-5;
+  EXPECT_THROW(render(scene, camera, {1, 1}), Error) << "steps so short that a ray would take millions";
 }
 
 /// RMSE of the scene's picture against the exact one.

@@ -4,6 +4,8 @@
 
 #include "presets/error.h"
 #include "presets/preset_file.h"
+#include "render/reference/exact_ray.h"
+#include "render/reference/reference.h"
 #include "render/scene/camera.h"
 #include "render/volume/builtin.h"
 #include "tests/debug_context.h"
@@ -27,6 +29,30 @@ class TraceRay : public ::testing::Test {
   std::shared_ptr<const Volume> volume = std::make_shared<const Volume>(make_builtin("gyroid?n=16"));
   Camera camera = whole_volume_camera(volume->grid, aspect_of(size));
 };
+
+// What is traced, and what is picked, is what the pixel shows: also where all rays are parallel.
+TEST_F(TraceRay, AgreesWithTheExactRayInParallelProjection) {
+  camera.projection = Projection::parallel;
+  Scene scene = scene_in(Mode::both);
+  scene.rendering.step = 0.05;
+  gl::RenderTarget target(size, false);
+  raycaster.draw(scene, camera, target);
+  const Image picture = target.read_color();
+  const ExactRays rays(scene, camera, size, Answer::integral_and_crossings);
+  int shown = 0;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const auto steps = trace_ray(raycaster, scene, camera, size, {x, y});
+      const ExactRay exact = rays.at({x, y});
+      ASSERT_EQ(steps.empty(), exact.places.empty());
+      if (steps.empty()) continue;
+      EXPECT_NEAR(steps.back().color.a, picture.at(x, y).a, 2e-6);
+      EXPECT_NEAR(exact.places.back().opacity, picture.at(x, y).a, 0.02);
+      EXPECT_NEAR(steps.back().depth, exact.exit - exact.enter, 2e-2);
+      ++shown;
+    }
+  EXPECT_GT(shown, size.x * size.y / 4);
+}
 
 // The last step is the pixel that the ray caster draws, with its crossings, in every mode and classification.
 TEST_F(TraceRay, EndsAsThePictureDoes) {

@@ -60,6 +60,36 @@ TEST(ReferenceClosedForm, ConstantMedium) {
     }
 }
 
+// Along the diagonal of a square every parallel ray's length is known: that of the diagonal, less twice as
+// much as it runs beside it. The eye may be anywhere on its line.
+TEST(ReferenceClosedForm, ParallelRaysThroughASquare) {
+  TransferFunction tf = colored(tf_of({{0, 0.5}, {1, 0.5}}), {white});
+  tf.unit_distance = 3;
+  const Scene scene = scene_of(volume_of({5, 5, 3}, [](int, int, int) { return 0.5; }), tf);
+  const glm::ivec2 size(24, 12);
+  const double half_height = 2.5, pixel = 2 * half_height / size.y;
+  for (const double before : {-4.0, 1.0, 3.0, 50.0}) {
+    Camera camera =
+        one_ray({2, 2, 1}, glm::dvec3(2, 2, 1) + glm::dvec3(std::abs(before) / std::sqrt(2.0),
+                                                            std::abs(before) / std::sqrt(2.0), 0));
+    camera.projection = Projection::parallel;
+    if (before < 0) std::swap(camera.eye, camera.target);
+    camera.fov_y_degrees = 360 / std::numbers::pi * std::atan(half_height / std::abs(before));
+    const Reference picture = render_reference(scene, camera, size, Answer::integral, 1e-10);
+    int met = 0;
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        const double aside = std::abs(x + 0.5 - size.x / 2) * pixel, up = (y + 0.5 - size.y / 2) * pixel;
+        const double length = std::abs(up) < 1 ? std::max(0.0, 4 * std::sqrt(2.0) - 2 * aside) : 0;
+        EXPECT_NEAR(picture.pixels[std::size_t(y * size.x + x)].a,
+                    -std::expm1(-length * std::numbers::ln2 / 3), exact)
+            << before << ": " << x << ", " << y;
+        met += length > 0;
+      }
+    EXPECT_GT(met, 40);
+  }
+}
+
 TEST(ReferenceClosedForm, PlateauOfFullOpacity) {
   for (const double unit : {1.0, 100.0, 1e6}) {
     TransferFunction tf = tf_of({{2, 0}, {2, 1}, {6, 1}, {6, 0}});

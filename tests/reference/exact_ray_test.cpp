@@ -16,10 +16,12 @@ TransferFunction spike_and_haze() {
 
 // Collected to the end, a ray is the picture's pixel; on the way opacity never falls, nor does depth.
 TEST(ExactRay, EndsAsThePictureDoes) {
-  for (const char* name : {"gyroid?n=12", "noise?n=10"}) {
+  for (const auto& [name, projection] : {std::pair{"gyroid?n=12", Projection::perspective},
+                                         {"noise?n=10", Projection::perspective},
+                                         {"gyroid?n=12", Projection::parallel}}) {
     const auto volume = std::make_shared<const Volume>(make_builtin(name));
     Scene scene{volume, resolve(spike_and_haze(), volume->statistics.range, 1), {}};
-    const Camera camera = whole_volume_camera(volume->grid, aspect_of(size));
+    const Camera camera = whole_volume_camera(volume->grid, aspect_of(size), 30, projection);
     for (const Answer answer :
          {Answer::integral, Answer::crossings, Answer::integral_and_crossings, Answer::base_and_crossings}) {
       const Reference picture = render_reference(scene, camera, size, answer);

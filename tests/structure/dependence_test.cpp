@@ -64,8 +64,8 @@ TEST(Dependence, NoGraphicsWhereItDoesNotBelong) {
 
 /// The folders of render: each may use those before it. What lies in render itself joins both engines.
 const std::vector<std::string> render_folders{
-    "volume",    "classify",  "files", "readers", "scene", "reference", "gl",     "shader_inputs",
-    "resources", "raycaster", "vdls",  "slices",  "",      "measure",   "studies"};
+    "volume",        "classify",  "files",     "readers", "reader", "scene", "reference", "gl",
+    "shader_inputs", "resources", "raycaster", "vdls",    "slices", "",      "measure",   "studies"};
 
 /// Which of them a path lies in: render/studies/knoll/lab.h in "studies", render/renderer.h in "".
 std::string folder_of(const std::string& path) {
@@ -92,7 +92,7 @@ TEST(Dependence, RunsInOneDirectionWithinRender) {
 
 // The CPU side of render needs no GL: it is what the tables and the tests build on.
 TEST(Dependence, VolumesTablesAndTheReferenceNeedNoGl) {
-  for (const std::string folder : {"volume", "classify", "files", "readers", "scene", "reference"})
+  for (const std::string folder : {"volume", "classify", "files", "readers", "reader", "scene", "reference"})
     for (const Include& include : includes_below("render/" + folder))
       EXPECT_FALSE(include.target.starts_with("epoxy/")) << include.file << " includes " << include.target;
 }

@@ -78,10 +78,10 @@ TEST(KnollVariants, TheSameStepsAtEveryWidth) {
   const Camera camera = camera_in_box(grid, {{0.3, -4, 0.2}, {0, 0, 0}, {0, 0, 1}, 30});
   const Box box{grid.box_min(), grid.box_max()};
   Rendering rendering = with_settings({}, "sampling=differential");
-  const StepLengths wanted = step_lengths(rendering, camera, glm::ivec2(paper_width), box, 1);
+  const StepLengths wanted = step_lengths(rendering, camera, glm::ivec2(paper_width), box, grid);
   for (const int width : {64, 256, 2048}) {
     rendering.s_k = s_k_of_paper(width);
-    const StepLengths steps = step_lengths(rendering, camera, glm::ivec2(width), box, 1);
+    const StepLengths steps = step_lengths(rendering, camera, glm::ivec2(width), box, grid);
     EXPECT_NEAR(steps.most / wanted.most, 1, 0.02) << width;
     EXPECT_NEAR(steps.longest / wanted.longest, 1, 0.02) << width;
   }

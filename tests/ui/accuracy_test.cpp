@@ -164,21 +164,23 @@ TEST_F(Accuracy, SaysPlainlyWhichSettingKeepsTheTargetOrThatNoneDoes) {
 }
 
 TEST_F(Accuracy, TellsWhoseAnswerIsShownAndHowFarItIsFromTheIntegral) {
-  EXPECT_TRUE(has("model: The answer of DVR_ONLY: the integral, from which the others are told apart"));
+  EXPECT_TRUE(
+      has("model: The exact answer of \"Volume\": the integral, from which the others are told apart"));
   click("answer/base+crossings");
-  EXPECT_TRUE(has("model: The answer of PEAK_XOR_DVR"));
+  EXPECT_TRUE(has("model: The exact answer of \"Surfaces + volume\""));
   ImageError difference;
   difference.compared.pixels = 1000;
   difference.compared.share = 0.123;
   results.model_differences.push_back({Answer::base_and_crossings, difference});
   frame();
   EXPECT_TRUE(
-      has("model: The answer of PEAK_XOR_DVR differs from the integral in 12 % of the pixels: that is the "
+      has("model: The exact answer of \"Surfaces + volume\" differs from the integral in 12 % of the pixels: "
+          "that is the "
           "mode, not an error"));
   click("answer/crossings");
-  EXPECT_TRUE(has("model: The answer of PEAK_ONLY"));
+  EXPECT_TRUE(has("model: The exact answer of \"Surfaces\""));
   click("answer/integral+crossings");
-  EXPECT_TRUE(has("model: The answer of both"));
+  EXPECT_TRUE(has("model: The exact answer of \"Surfaces + whole volume\""));
 }
 
 TEST_F(Accuracy, NothingMeasuredLeavesAHintAndNoPoints) {

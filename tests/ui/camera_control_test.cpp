@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Camera test_camera() { return {{10, 2, 3}, {1, 2, 3}, {0, 0, 1}, 40, {}}; }
+Camera test_camera() { return {{10, 2, 3}, {1, 2, 3}, {0, 0, 1}, 40, Projection::perspective, {}}; }
 
 void expect_near(glm::dvec3 a, glm::dvec3 b, double bound) { EXPECT_LT(glm::length(a - b), bound); }
 
@@ -43,10 +43,10 @@ TEST(Orbit, StopsShortOfThePolesAndCanLeaveThem) {
 }
 
 TEST(Orbit, AnUpAlongTheViewIsNoTrap) {
-  const Camera turned = orbit({{0, 0, 5}, {0, 0, 0}, {0, 0, 1}, 30, {}}, 0.3, -0.5);
+  const Camera turned = orbit({{0, 0, 5}, {0, 0, 0}, {0, 0, 1}, 30, Projection::perspective, {}}, 0.3, -0.5);
   EXPECT_NEAR(glm::length(turned.eye), 5, 1e-9);
   EXPECT_NEAR(std::acos(turned.eye.z / 5), 0.5, 1e-9);
-  const Camera none = orbit({{0, 0, 5}, {0, 0, 0}, {0, 0, 0}, 30, {}}, 0.3, 0.1);
+  const Camera none = orbit({{0, 0, 5}, {0, 0, 0}, {0, 0, 0}, 30, Projection::perspective, {}}, 0.3, 0.1);
   EXPECT_TRUE(std::isfinite(none.eye.x + none.eye.y + none.eye.z));
 }
 
@@ -80,8 +80,42 @@ TEST(ProjectSegment, AgreesWithTheRaysOfThePicture) {
   EXPECT_NEAR(ends->first.y, -0.6, 1e-12);
 }
 
+// Edges of a box that are parallel stay so and as long, also behind the eye; a place is where its ray is.
+TEST(ProjectSegment, KeepsParallelEdgesParallel) {
+  const Camera camera = with_other_projection(test_camera());
+  const CameraFrame frame = camera_frame(camera);
+  const double half = half_height_at_target(camera), aspect = 1.5;
+  const glm::dvec3 edge(-3, 1, 2);
+  const auto one = project_segment(camera, aspect, {0, 0, 0}, edge);
+  const auto other = project_segment(camera, aspect, glm::dvec3(30, 5, -7), glm::dvec3(30, 5, -7) + edge);
+  ASSERT_TRUE(one && other);
+  EXPECT_NEAR(glm::length((one->second - one->first) - (other->second - other->first)), 0, 1e-12);
+  for (const double depth : {-20.0, 0.0, 9.0, 40.0}) {
+    const glm::dvec3 point =
+        camera.eye + depth * frame.w + 0.3 * half * aspect * frame.u - 0.6 * half * frame.v;
+    const auto ends = project_segment(camera, aspect, point, point);
+    ASSERT_TRUE(ends);
+    EXPECT_NEAR(ends->first.x, 0.3, 1e-12);
+    EXPECT_NEAR(ends->first.y, -0.6, 1e-12);
+  }
+}
+
+TEST(CameraControl, ProjectionsKeepTheTargetsPlane) {
+  const Camera camera = test_camera(), parallel = with_other_projection(camera);
+  EXPECT_EQ(parallel.projection, Projection::parallel);
+  EXPECT_EQ(with_other_projection(parallel), camera);
+  const CameraFrame frame = camera_frame(camera);
+  const glm::dvec3 from = camera.target + 0.7 * frame.u, to = camera.target - 0.4 * frame.v;
+  const auto there = project_segment(camera, 2, from, to), here = project_segment(parallel, 2, from, to);
+  ASSERT_TRUE(there && here);
+  EXPECT_NEAR(glm::length(there->first - here->first), 0, 1e-12);
+  EXPECT_NEAR(glm::length(there->second - here->second), 0, 1e-12);
+  const auto nearer = project_segment(dolly(parallel, 0.5, 1, 100), 2, from, to);
+  EXPECT_NEAR(nearer->first.x, 2 * here->first.x, 1e-12) << "half the distance is twice the size";
+}
+
 TEST(ProjectSegment, CutsWhatIsBehindTheEye) {
-  const Camera camera{{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 90, {}};
+  const Camera camera{{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 90, Projection::perspective, {}};
   EXPECT_FALSE(project_segment(camera, 1, {0, 0, -1}, {1, 0, -5}));
   const auto ends = project_segment(camera, 1, {0.5, 0, 1}, {0.5, 0, -1});
   ASSERT_TRUE(ends);

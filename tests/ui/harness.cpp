@@ -2,13 +2,14 @@
 
 #include <cmath>
 
+#include "ui/keys.h"
 #include "ui/transfer_function_editor.h"
 
 namespace crest::test {
 namespace {
 
 constexpr float frame_seconds = 1.0F / 60;
-constexpr int named_keys = 300;  // codes for ImGuiKey_*, beside the letters' ASCII codes
+constexpr int unused_keys = 400;  // beyond those that GLFW has
 
 }  // namespace
 
@@ -53,16 +54,34 @@ Studio::Studio() {
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   io.DisplaySize = {1720, 1160};
   io.DeltaTime = frame_seconds;
-  for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = named_keys + key;
-  for (const auto& [key, letter] : {std::pair{ImGuiKey_A, 'A'},
-                                    {ImGuiKey_C, 'C'},
-                                    {ImGuiKey_V, 'V'},
-                                    {ImGuiKey_X, 'X'},
-                                    {ImGuiKey_Y, 'Y'},
-                                    {ImGuiKey_Z, 'Z'}})
-    io.KeyMap[key] = letter;
+  // As the GLFW backend numbers them
+  for (int named = ImGuiKey_Tab; named <= ImGuiKey_KeyPadEnter; ++named)
+    io.KeyMap[named] = unused_keys + named;
+  for (const auto& [named, code] : {std::pair{ImGuiKey_Tab, key::tab},
+                                    {ImGuiKey_LeftArrow, key::left},
+                                    {ImGuiKey_RightArrow, key::right},
+                                    {ImGuiKey_UpArrow, key::up},
+                                    {ImGuiKey_DownArrow, key::down},
+                                    {ImGuiKey_PageUp, key::page_up},
+                                    {ImGuiKey_PageDown, key::page_down},
+                                    {ImGuiKey_Home, key::home},
+                                    {ImGuiKey_End, key::end},
+                                    {ImGuiKey_Insert, key::insert},
+                                    {ImGuiKey_Delete, key::del},
+                                    {ImGuiKey_Backspace, key::backspace},
+                                    {ImGuiKey_Space, int(' ')},
+                                    {ImGuiKey_Enter, key::enter},
+                                    {ImGuiKey_Escape, key::escape},
+                                    {ImGuiKey_A, int('A')},
+                                    {ImGuiKey_C, int('C')},
+                                    {ImGuiKey_V, int('V')},
+                                    {ImGuiKey_X, int('X')},
+                                    {ImGuiKey_Y, int('Y')},
+                                    {ImGuiKey_Z, int('Z')}})
+    io.KeyMap[named] = code;
   io.MousePos = {-1000, -1000};
   tf().points = points_of({{0, 0}, {20, 0.2}, {50, 0.8}, {70, 0.1}, {100, 0.5}});
   inputs.volume = &volume;

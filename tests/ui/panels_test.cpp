@@ -143,6 +143,10 @@ TEST_F(Panels, WhatIsTypedInARowThatIsScrolledAwayIsNotLost) {
 }
 
 TEST_F(Panels, ThePeakTableTellsItsCells) {
+  EXPECT_LT(state->widgets.items["peak table"].second.x - state->widgets.items["peak table"].first.x, 140);
+  click("peak table");
+  EXPECT_TRUE(state->settings.large_peak_table) << "small until it is asked for";
+  frames(3);
   const auto [low, high] = state->widgets.items.at("peak table");
   move_to({low.x + 2, low.y + 2});
   frame();

@@ -119,17 +119,17 @@ TEST_F(ValueCurves, EachIsDrawnOrSaysWhyNot) {
   for (const char* curve : curves) {
     choose(curve);
     EXPECT_EQ(int(state->editor.value_curve), expected++) << curve;
-    EXPECT_GT(vertices_of(palette::histogram), 20) << curve;
+    EXPECT_GT(vertices_of(palette().histogram), 20) << curve;
     EXPECT_EQ(vertices_of(surface_column) > 0, is_visibility(state->editor.value_curve)) << curve;
   }
   choose("no curve");
-  EXPECT_EQ(vertices_of(palette::histogram), 0);
+  EXPECT_EQ(vertices_of(palette().histogram), 0);
   inputs.by_value = nullptr;
   choose("gradient");
-  EXPECT_EQ(vertices_of(palette::histogram), 0);
+  EXPECT_EQ(vertices_of(palette().histogram), 0);
   inputs.visibility = nullptr;
   choose("visibility");
-  EXPECT_EQ(vertices_of(palette::histogram), 0);
+  EXPECT_EQ(vertices_of(palette().histogram), 0);
 }
 
 TEST_F(ValueCurves, TheCurveOfTheLastVolumeIsCarriedOverFromTheMenu) {

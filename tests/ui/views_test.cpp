@@ -57,6 +57,27 @@ TEST_F(Views, WheelDolliesAndResetForgetsTheCamera) {
   EXPECT_TRUE(document.preset.camera);
 }
 
+// One key; what is reset keeps the projection, and one undo takes it back.
+TEST_F(Views, SwitchToParallelProjectionAndBack) {
+  const Camera before = camera_of(document.preset, volume.grid, aspect_of(requests.view_pixels[0]));
+  key('O');
+  ASSERT_TRUE(document.preset.camera);
+  EXPECT_EQ(document.preset.camera->projection, Projection::parallel);
+  EXPECT_EQ(document.preset.camera->eye, before.eye);
+  move_to(center_of("view0"));
+  for (int i = 0; i < 4; ++i) wheel(1);
+  EXPECT_LT(half_height_at_target(*document.preset.camera), 0.7 * half_height_at_target(before));
+  key('R');
+  ASSERT_TRUE(document.preset.camera);
+  EXPECT_EQ(document.preset.camera->projection, Projection::parallel);
+  EXPECT_GT(half_height_at_target(*document.preset.camera), 0.8 * half_height_at_target(before));
+  click("menu/View");
+  click("Parallel projection");
+  EXPECT_EQ(document.preset.camera->projection, Projection::perspective);
+  ctrl('Z');
+  EXPECT_EQ(document.preset.camera->projection, Projection::parallel);
+}
+
 TEST_F(Views, AViewIsEnlargedAndPutBack) {
   const int before = requests.view_pixels[2].x;
   click("enlarge2");

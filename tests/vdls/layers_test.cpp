@@ -51,7 +51,12 @@ TEST_F(Layers, FromEverywhere) {
                               along_z(grid, size.x)};
   for (const glm::dvec3 eye : {glm::dvec3(0), {0.2, 0.1, -0.3}, {0, 0, -0.5}, {0.6, 0, 0.2}, {0.5, 0.5, 0.5}})
     for (const glm::dvec3 towards : {glm::dvec3(0.3, -0.2, 1), {-1, 0.1, -0.2}})
-      cameras.push_back({middle + eye * size, middle + (eye + towards) * size, {0, 1, 0}, 70, ""});
+      cameras.push_back(
+          {middle + eye * size, middle + (eye + towards) * size, {0, 1, 0}, 70, Projection::perspective, ""});
+  for (std::size_t i = 0, count = cameras.size(); i < count; ++i) {
+    cameras.push_back(cameras[i]);
+    cameras.back().projection = Projection::parallel;
+  }
   for (const double step : {0.25, 1.0, 3.7, 100.0})
     for (const Camera& camera : cameras)
       for (const VdlsOptions& options : {VdlsOptions{}, VdlsOptions::basic()})

@@ -18,11 +18,11 @@ glm::dvec3 random_direction(Dice& dice) {
 }
 
 Camera looking(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up, double fov_y_degrees) {
-  return {eye, target, up, fov_y_degrees, {}};
+  return {eye, target, up, fov_y_degrees, Projection::perspective, {}};
 }
 
 /// From so far that the rays are parallel in effect; the picture is `height` high.
-Camera parallel(const Grid& grid, glm::dvec3 from, glm::dvec3 up, double height) {
+Camera far_away(const Grid& grid, glm::dvec3 from, glm::dvec3 up, double height) {
   const double distance = 1e4 * height;
   return looking(middle_of(grid) + distance * from, middle_of(grid), up,
                  glm::degrees(2 * std::atan(0.5 * height / distance)));
@@ -61,12 +61,14 @@ Camera grazing(Dice& dice, const Grid& grid) {
 Camera along_an_axis(Dice& dice, const Grid& grid) {
   const int axis = dice.one_of(3);
   const double side = dice.pick({-1.0, 1.0}), height = 1.1 * grid.box_size()[(axis + 1) % 3];
-  return parallel(grid, side * unit(axis), unit((axis + 1) % 3), height);
+  return far_away(grid, side * unit(axis), unit((axis + 1) % 3), height);
 }
 
-Camera from_afar(Dice& dice, const Grid& grid) {
+Camera parallel(Dice& dice, const Grid& grid) {
   const glm::dvec3 from = random_direction(dice), up = random_direction(dice);
-  return parallel(grid, from, up, 0.9 * glm::length(grid.box_size()));
+  Camera camera = far_away(grid, from, up, 0.9 * glm::length(grid.box_size()));
+  camera.projection = Projection::parallel;
+  return camera;
 }
 
 /// Close before a corner, with a wide view.
@@ -79,9 +81,9 @@ Camera at_a_corner(Dice& dice, const Grid& grid) {
 }  // namespace
 
 std::span<const ViewKind> view_kinds() {
-  static constexpr ViewKind kinds[] = {{"outside", outside},         {"inside", inside},
-                                       {"along a face", grazing},    {"along an axis", along_an_axis},
-                                       {"parallel rays", from_afar}, {"at a corner", at_a_corner}};
+  static constexpr ViewKind kinds[] = {{"outside", outside},        {"inside", inside},
+                                       {"along a face", grazing},   {"along an axis", along_an_axis},
+                                       {"parallel rays", parallel}, {"at a corner", at_a_corner}};
   return kinds;
 }
 

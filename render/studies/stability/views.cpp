@@ -43,8 +43,12 @@ View plain_view(Mode mode) {
   const VolumePtr volume = gyroid_in_levels();
   // All of the box from -1 to 1, in a view of its own: how near its rays pass to tangents is a part of the
   // case
-  const Camera camera{
-      {2.9297745775126893, -5.2084881378003365, 2.6042440689001682}, {0, 0, 0}, {0, 0, 1}, 30, {}};
+  const Camera camera{{2.9297745775126893, -5.2084881378003365, 2.6042440689001682},
+                      {0, 0, 0},
+                      {0, 0, 1},
+                      30,
+                      Projection::perspective,
+                      {}};
   return {make_scene(volume, haze_and_peaks(volume->statistics.range, 8 * volume->grid.smallest_spacing()),
                      mode, fine_step),
           camera};

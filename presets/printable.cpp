@@ -1,0 +1,58 @@
+#include "presets/printable.h"
+
+#include <fmt/core.h>
+
+#include <cstdint>
+
+namespace crest {
+namespace {
+
+/// A character of UTF-8 (RFC 3629): its number and its bytes; 0 bytes where there is none.
+struct Character {
+  std::uint32_t number = 0;
+  std::size_t bytes = 0;
+};
+
+Character first_of(std::string_view text) {
+  const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned lead = at(0);
+  if (lead < 0x80) return {lead, 1};
+  const std::size_t bytes = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc2 || lead > 0xf4 || text.size() < bytes) return {};
+  std::uint32_t number = lead & (0xffu >> (bytes + 1));
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if ((at(i) & 0xc0) != 0x80) return {};
+    number = number << 6 | (at(i) & 0x3f);
+  }
+  constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_surrogate = number >= 0xd800 && number < 0xe000;
+  if (number < least[bytes] || number > 0x10ffff || is_surrogate) return {};
+  return {number, bytes};
+}
+
+bool is_control(std::uint32_t c) {
+  return c < 0x20 || (c >= 0x7f && c < 0xa0) || (c >= 0x200e && c <= 0x200f) ||
+         (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+}
+
+}  // namespace
+
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string out;
+  while (!text.empty()) {
+    if (out.size() > longest) return out + "...";
+    const Character c = first_of(text);
+    const std::string_view bytes = text.substr(0, c.bytes == 0 ? 1 : c.bytes);
+    if (bytes == "\n" || bytes == "\t" || bytes == "\r") {
+      out += ' ';
+    } else if (c.bytes > 0 && !is_control(c.number)) {
+      out += bytes;
+    } else {
+      for (const char byte : bytes) out += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+    }
+    text.remove_prefix(bytes.size());
+  }
+  return out;
+}
+
+}  // namespace crest

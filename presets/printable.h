@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace crest {
+
+/// Text of any origin as a terminal, or a window, may show it, in one line: line ends and tabs are spaces;
+/// other control characters (of Unicode too: C1, and those that turn the direction), and what is no UTF-8,
+/// are written as \xNN. What is longer than `longest` bytes is cut, and ends with "...".
+std::string printable(std::string_view text, std::size_t longest = 2000);
+
+}  // namespace crest

@@ -1,0 +1,43 @@
+#include "render/files/file_modules.h"
+
+#include <dlfcn.h>
+#include <fmt/core.h>
+
+#include "presets/error.h"
+
+namespace crest {
+namespace {
+
+/// Where the modules and the reader lie, from a program of any folder beside that one. (The run path does not
+/// do, since AddressSanitizer's dlopen has another one.)
+std::filesystem::path render_folder() {
+  std::error_code fault;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", fault);
+  return program.parent_path().parent_path() / "render";
+}
+
+/// Once loaded it stays.
+template <class Module>
+const Module& load(const char* file, const char* entry) {
+  void* library = dlopen((render_folder() / file).c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* symbol = library ? dlsym(library, entry) : nullptr;
+  if (!symbol)
+    throw Error(fmt::format("the library that reads and writes files cannot be loaded: {}", dlerror()));
+  return *reinterpret_cast<const Module* (*)()>(symbol)();
+}
+
+}  // namespace
+
+std::filesystem::path reader_program() { return render_folder() / "crest-reader"; }
+
+const DicomModule& dicom_module() {
+  static const DicomModule& module = load<DicomModule>("libcrest_dicom_files.so", "crest_dicom_module");
+  return module;
+}
+
+const ImageModule& image_module() {
+  static const ImageModule& module = load<ImageModule>("libcrest_image_files.so", "crest_image_module");
+  return module;
+}
+
+}  // namespace crest

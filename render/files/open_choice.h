@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "presets/error.h"
+#include "render/volume/query.h"
+
+namespace crest {
+
+/// What a source leaves open, and the query can say.
+enum class ChoiceKind { raw_layout, component, frame, series };
+/// "component": the key in the query; empty for raw voxels, which take several (raw_layout.h).
+std::string_view key_of(ChoiceKind kind);
+
+struct ChoiceOption {
+  std::string value;  ///< in the query
+  std::string text;   ///< for people: "red", "T1 axial (MR), 124 images"
+  bool operator==(const ChoiceOption&) const = default;
+};
+
+/// A choice that must be made before a volume can be read. A plain value, also between processes.
+struct OpenChoice {
+  ChoiceKind kind = ChoiceKind::raw_layout;
+  std::string path;         ///< of the file or folder
+  Query query;              ///< what is said so far; of raw voxels also by a sidecar or the file's name
+  std::uint64_t count = 0;  ///< of components, frames or series; 0 for raw voxels
+  /// As many as `count`; or none, where they have no names but their numbers from 0.
+  std::vector<ChoiceOption> options;
+  bool operator==(const OpenChoice&) const = default;
+};
+
+/// The error that says which choice there is. Its text tells the query that makes it.
+struct ChoiceNeeded : Error {
+  ChoiceNeeded(const std::string& text, OpenChoice what) : Error(text), choice(std::move(what)) {}
+  OpenChoice choice;
+};
+
+/// "PATH?key=value&...", as load_volume takes it; without a query the path alone.
+std::string source_of(const std::string& path, const Query& query);
+/// The source with the i-th of the choice's options, in [0, count).
+std::string chosen_source(const OpenChoice& choice, std::uint64_t i);
+
+}  // namespace crest

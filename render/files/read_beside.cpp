@@ -1,0 +1,226 @@
+#include "render/files/read_beside.h"
+
+#include <fmt/core.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "presets/error.h"
+#include "presets/printable.h"
+#include "render/files/reader_answer.h"
+#include "render/files/reader_process.h"
+
+namespace crest {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A reader at work, and what it has told.
+class Reader {
+ public:
+  Reader(FileForm form, const FileRequest& request)
+      : request_(request), process_(request.reading.reader, words(form, request)) {}
+
+  /// The last line, which holds `key`; after it come the floats. Throws Error.
+  Json head(std::string_view key) {
+    while (true) {
+      const Json line = parse(next_line());
+      if (line.contains("error")) fail_as_told(line);
+      if (line.contains(key)) return line;
+      if (!line.contains("expects")) fail_unclear();
+      expect(line);
+    }
+  }
+
+  /// The floats behind the head, which tells how many there are; there is memory for them.
+  std::vector<float> values(const Json& head) {
+    const auto told = head.find("values");
+    if (told == head.end() || !told->is_number_unsigned()) fail_unclear();
+    const auto count = told->get<std::size_t>();
+    if (count > request_.reading.memory / sizeof(float)) fail_unclear();
+    std::vector<float> values;
+    values.reserve(count);  // it is filled block by block: a reader lets go of what it has sent
+    std::vector<float> block(std::min(count, std::size_t(1) << 16));
+    while (values.size() < count) {
+      const std::size_t size = std::min(block.size(), count - values.size());
+      take(reinterpret_cast<char*>(block.data()), size * sizeof(float));
+      values.insert(values.end(), block.begin(), block.begin() + std::ptrdiff_t(size));
+    }
+    return values;
+  }
+
+  [[noreturn]] void fail_unclear() { fail("its answer makes no sense"); }
+
+ private:
+  static std::vector<std::string> words(FileForm form, const FileRequest& request) {
+    std::vector<std::string> words{std::string(file_form_names[std::size_t(form)]),
+                                   std::to_string(request.reading.memory),
+                                   request.reading.asks ? "asks" : "decides", request.name()};
+    for (const auto& [key, value] : request.query) words.push_back(key + "=" + value);
+    return words;
+  }
+
+  [[noreturn]] void fail(const std::string& why) const {
+    throw Error(fmt::format("{}: its reader failed ({})", request_.name(), why));
+  }
+
+  [[noreturn]] void fail_ended() {
+    process_.kill();  // where it has closed its output and lives on
+    const int status = process_.wait();
+    if (!WIFSIGNALED(status)) {
+      fail(WEXITSTATUS(status) != 0 ? fmt::format("exit code {}", WEXITSTATUS(status))
+                                    : "it ended before its answer did");
+    }
+    const int signal = WTERMSIG(status);
+    if (signal == SIGPROF || signal == SIGXCPU)
+      fail(fmt::format("it took longer than {:.0f} s of processor time", seconds_));
+    if (signal == SIGKILL) fail("it was killed, maybe for want of memory");
+    fail(fmt::format("signal {}, {}", signal, sigdescr_np(signal)));
+  }
+
+  Json parse(const std::string& line) {
+    try {
+      Json json = parse_json(line);
+      if (json.is_object()) return json;
+    } catch (const Error&) {
+    }
+    fail_unclear();
+  }
+
+  std::string text_of(const Json& line) {
+    const Json& text = line.at("error");
+    if (!text.is_string()) fail_unclear();
+    return printable(text.get<std::string>());
+  }
+
+  [[noreturn]] void fail_as_told(const Json& line) {
+    const std::string text = text_of(line);
+    if (const auto choice = line.find("choice"); choice != line.end()) {
+      std::optional<OpenChoice> what;
+      try {
+        what = choice_from_json(*choice);
+      } catch (const std::exception&) {
+        fail_unclear();
+      }
+      throw ChoiceNeeded(text, *what);
+    }
+    throw Error(text);
+  }
+
+  /// What it takes longer to read may take longer.
+  void expect(const Json& line) {
+    constexpr double slowest = 1e6, most = 1e15;  // bytes a second, bytes
+    if (!line.at("expects").is_number() || !line.contains("seconds") || !line.at("seconds").is_number())
+      fail_unclear();
+    seconds_ = line.at("seconds").get<double>();
+    const double bytes = std::clamp(line.at("expects").get<double>(), 0.0, most);
+    deadline_ =
+        Clock::now() + request_.reading.patience + std::chrono::seconds(std::int64_t(bytes / slowest));
+  }
+
+  /// Waits for some bytes; 0 at the end.
+  std::size_t read_some(char* out, std::size_t size) {
+    constexpr int stop_is_seen_within = 50;  // ms
+    while (true) {
+      if (request_.reading.stop.stop_requested()) throw Error(request_.name() + ": reading it was stopped");
+      pollfd ready{process_.output(), POLLIN, 0};
+      const int found = ::poll(&ready, 1, stop_is_seen_within);
+      if (found < 0 && errno != EINTR) fail(std::strerror(errno));
+      if (found == 0 && Clock::now() >= deadline_) {
+        fail(fmt::format("it took longer than {} s",
+                         std::chrono::duration_cast<std::chrono::seconds>(deadline_ - begin_).count()));
+      }
+      if (found <= 0) continue;
+      const ssize_t got = ::read(process_.output(), out, size);
+      if (got >= 0) return std::size_t(got);
+      if (errno != EINTR) fail(std::strerror(errno));
+    }
+  }
+
+  std::string next_line() {
+    std::size_t end = 0, seen = 0;
+    while ((end = held_.find('\n', seen)) == std::string::npos) {
+      seen = held_.size();
+      if (seen > longest_answer_line) fail_unclear();
+      char block[1 << 12];
+      const std::size_t got = read_some(block, sizeof block);
+      if (got == 0) fail_ended();
+      held_.append(block, got);
+    }
+    std::string line = held_.substr(0, end);
+    held_.erase(0, end + 1);
+    return line;
+  }
+
+  /// All of `size` bytes.
+  void take(char* out, std::size_t size) {
+    const std::size_t held = std::min(held_.size(), size);
+    std::memcpy(out, held_.data(), held);
+    held_.erase(0, held);
+    for (std::size_t done = held; done < size;) {
+      const std::size_t got = read_some(out + done, size - done);
+      if (got == 0) fail_ended();
+      done += got;
+    }
+  }
+
+  const FileRequest& request_;
+  ReaderProcess process_;
+  Clock::time_point begin_ = Clock::now(), deadline_ = begin_ + request_.reading.patience;
+  double seconds_ = 0;  ///< of processor time, which it may take
+  std::string held_;    ///< read, and not yet taken
+};
+
+/// `read`, where what does not fit together in an answer is said of the reader.
+template <class Read>
+auto checked(Reader& reader, Read read) {
+  try {
+    return read();
+  } catch (const std::exception&) {
+    reader.fail_unclear();
+  }
+}
+
+}  // namespace
+
+Volume read_beside(FileForm form, const FileRequest& request) {
+  Reader reader(form, request);
+  const Json head = reader.head("volume");
+  Volume volume = checked(reader, [&] { return volume_from_json(head.at("volume")); });
+  require_memory(request.name(), glm::u64vec3(volume.grid.dims), 0, request.reading.memory);
+  volume.values = reader.values(head);
+  if (volume.values.size() != volume.grid.point_count()) reader.fail_unclear();
+  return volume;
+}
+
+Image read_picture_beside(const FileRequest& request) {
+  Reader reader(FileForm::picture, request);
+  const Json head = reader.head("picture");
+  const std::vector<float> values = reader.values(head);
+  return checked(reader, [&] {
+    const Json& size = head.at("picture");
+    Image image{{size.at(0).get<int>(), size.at(1).get<int>()}, {}};
+    if (image.size.x < 1 || image.size.y < 1 ||
+        values.size() != std::size_t(image.size.x) * std::size_t(image.size.y) * 4)
+      reader.fail_unclear();
+    image.pixels.resize(values.size() / 4);
+    std::memcpy(image.pixels.data(), values.data(), values.size() * sizeof(float));
+    return image;
+  });
+}
+
+std::string read_preset_beside(const FileRequest& request) {
+  Reader reader(FileForm::picture_preset, request);
+  const Json head = reader.head("preset");
+  return checked(reader, [&] { return head.at("preset").get<std::string>(); });
+}
+
+}  // namespace crest

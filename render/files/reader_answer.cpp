@@ -1,0 +1,79 @@
+#include "render/files/reader_answer.h"
+
+#include <cmath>
+
+#include "presets/error.h"
+
+namespace crest {
+namespace {
+
+Json triple(const auto& v) { return {v.x, v.y, v.z}; }
+
+int integer(const Json& json) {
+  if (!json.is_number_integer()) throw Error("a number that is not whole");
+  return json.get<int>();
+}
+
+double finite(const Json& json) {
+  const double number = json.get<double>();
+  if (!std::isfinite(number)) throw Error("a number that is none");
+  return number;
+}
+
+glm::dvec3 vector_from(const Json& json) {
+  return {finite(json.at(0)), finite(json.at(1)), finite(json.at(2))};
+}
+
+}  // namespace
+
+Json volume_to_json(const Volume& volume) {
+  Json json{{"dims", triple(volume.grid.dims)},
+            {"spacing", triple(volume.grid.spacing)},
+            {"origin", triple(volume.grid.origin)},
+            {"type", int(volume.file_type)},
+            {"note", volume.note}};
+  for (int column = 0; column < 3; ++column) json["direction"].push_back(triple(volume.direction[column]));
+  return json;
+}
+
+Volume volume_from_json(const Json& json) {
+  Volume volume;
+  volume.grid.spacing = vector_from(json.at("spacing"));
+  volume.grid.origin = vector_from(json.at("origin"));
+  for (int axis = 0; axis < 3; ++axis) {
+    volume.grid.dims[axis] = integer(json.at("dims").at(std::size_t(axis)));
+    volume.direction[axis] = vector_from(json.at("direction").at(std::size_t(axis)));
+    if (volume.grid.dims[axis] < 2 || volume.grid.spacing[axis] <= 0) throw Error("a grid that is none");
+  }
+  const int type = integer(json.at("type"));
+  if (type < 0 || type > int(ScalarType::float16)) throw Error("a type that is none");
+  volume.file_type = ScalarType(type);
+  volume.note = json.at("note").get<std::string>();
+  return volume;
+}
+
+Json choice_to_json(const OpenChoice& choice) {
+  Json json{{"kind", int(choice.kind)},
+            {"path", choice.path},
+            {"query", choice.query},
+            {"count", choice.count},
+            {"options", Json::array()}};
+  for (const ChoiceOption& option : choice.options) json["options"].push_back({option.value, option.text});
+  return json;
+}
+
+OpenChoice choice_from_json(const Json& json) {
+  OpenChoice choice;
+  const int kind = integer(json.at("kind"));
+  if (kind < 0 || kind > int(ChoiceKind::series)) throw Error("a choice that is none");
+  choice.kind = ChoiceKind(kind);
+  choice.path = json.at("path").get<std::string>();
+  choice.query = json.at("query").get<Query>();
+  choice.count = json.at("count").get<std::uint64_t>();
+  for (const Json& option : json.at("options"))
+    choice.options.push_back({option.at(0).get<std::string>(), option.at(1).get<std::string>()});
+  if (!choice.options.empty() && choice.options.size() != choice.count) throw Error("a choice that is none");
+  return choice;
+}
+
+}  // namespace crest

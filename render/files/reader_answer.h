@@ -1,0 +1,29 @@
+#pragma once
+
+#include "presets/json.h"
+#include "presets/json_text.h"
+#include "render/files/open_choice.h"
+#include "render/volume/volume.h"
+
+namespace crest {
+
+// What the reader's program writes to its standard output: JSON objects, one a line, and after the last of
+// them as many floats, in the machine's bytes, as it tells.
+//   {"expects": bytes, "seconds": of processor time}   what it sets about, and when it is ended; any number
+//   {"error": "..."}                                    then no more; with "choice" it is ChoiceNeeded
+//   {"volume": {...}, "values": count}                  all but statistics, name and file
+//   {"picture": [width, height], "values": count}
+//   {"preset": "..."}
+
+/// Lines longer than this are none.
+inline constexpr std::size_t longest_answer_line = std::size_t(1) << 24;
+
+Json volume_to_json(const Volume& volume);
+/// Without values. Throws Error, or an exception of the JSON library, unless it is a volume's.
+Volume volume_from_json(const Json& json);
+
+Json choice_to_json(const OpenChoice& choice);
+/// Throws as volume_from_json.
+OpenChoice choice_from_json(const Json& json);
+
+}  // namespace crest

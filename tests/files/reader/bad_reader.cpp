@@ -1,0 +1,88 @@
+// A reader that fails, as its query says: bad_reader FORM MEMORY asks|decides PATH do=WHAT. It answers for a
+// volume of 2x2x2.
+
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "render/reader/confine.h"
+#include "render/reader/limits.h"
+
+namespace {
+
+std::string volume(const std::string& dims = "[2,2,2]", const std::string& values = "8",
+                   const std::string& spacing = "[1,1,1]") {
+  return R"({"volume":{"dims":)" + dims + R"(,"spacing":)" + spacing +
+         R"(,"origin":[0,0,0],"type":0,"note":"","direction":[[1,0,0],[0,1,0],[0,0,1]]},"values":)" + values +
+         "}\n";
+}
+
+/// Takes more and more memory, all of it used.
+[[noreturn]] void allocate() {
+  std::vector<std::vector<char>> taken;
+  while (true) taken.emplace_back(std::size_t(16) << 20, 'x');
+}
+
+/// What the system still does for it, as an error for the test to read.
+void try_doors(const std::string& path) {
+  std::string open_doors;
+  if (::open(path.c_str(), O_RDONLY) < 0) open_doors += " no reading";
+  if (::open((path + ".new").c_str(), O_WRONLY | O_CREAT, 0600) >= 0) open_doors += " creating";
+  if (::open(path.c_str(), O_RDWR) >= 0) open_doors += " writing";
+  if (::unlink(path.c_str()) == 0) open_doors += " removing";
+  if (::socket(AF_INET, SOCK_STREAM, 0) >= 0) open_doors += " network";
+  if (::fork() >= 0) open_doors += " fork";
+  ::execl("/bin/true", "true", nullptr);
+  std::cout << R"({"error":"doors:)" << open_doors << "\"}\n" << std::flush;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 6) return 2;
+  const std::string path = argv[4], what = std::string(argv[5]).substr(3);
+  crest::confine();
+  crest::Limits().allow(1000);
+  const std::string voxels(8 * sizeof(float), '\0');
+  if (what == "well") std::cout << volume() << voxels;
+  if (what == "abort") std::abort();
+  if (what == "crash") std::raise(SIGSEGV);
+  if (what == "loop") {
+    std::cout << R"({"expects":1000,"seconds":1})" << std::endl;
+    for (volatile bool more = true; more;) continue;
+  }
+  if (what == "sleep") ::pause();
+  if (what == "allocate") allocate();
+  if (what == "leave") return 7;
+  if (what == "short") std::cout << volume() << voxels.substr(1);
+  if (what == "unfinished") std::cout << volume().substr(0, 20);
+  if (what == "garbage")
+    std::cout << "\x7f"
+              << "ELF garbage\n";
+  if (what == "deep") std::cout << R"({"volume":)" << std::string(1 << 20, '[') << "\n";
+  if (what == "endless") {
+    while (std::cout << std::string(1 << 16, 'x')) continue;
+  }
+  if (what == "huge") std::cout << volume("[100000,100000,100000]", "1000000000000000");
+  if (what == "count") std::cout << volume("[2,2,2]", "9") << voxels << "more";
+  if (what == "negative") std::cout << volume("[2,2,2]", "-8") << voxels;
+  if (what == "flat") std::cout << volume("[2,2,1]", "4") << voxels;
+  if (what == "spacing") std::cout << volume("[2,2,2]", "8", "[1,0,1]") << voxels;
+  if (what == "other")
+    std::cout << R"({"volume":7,"values":8})"
+              << "\n";
+  if (what == "control")
+    std::cout << R"({"error":"a\u001b[31m\nb"})"
+              << "\n";
+  if (what == "doors") try_doors(path);
+  std::cout.flush();
+  return 0;
+}

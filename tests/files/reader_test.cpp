@@ -1,0 +1,115 @@
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include "files.h"
+#include "presets/error.h"
+#include "render/files/load.h"
+#include "tests/paths.h"
+
+namespace crest::test {
+namespace {
+
+/// What a reader that fails in some way is to the program (reader/bad_reader.cpp).
+class FailingReader : public FileTest {
+ protected:
+  std::string error_of(const std::string& what,
+                       std::chrono::seconds patience = std::chrono::seconds(60)) const {
+    Reading reading;
+    reading.reader = bad_reader_program();
+    reading.patience = patience;
+    return error_of(what, reading);
+  }
+  std::string error_of(const std::string& what, const Reading& reading) const {
+    const std::string file = write("v.nrrd", "the reader does not read it");
+    try {
+      load_volume(file + "?do=" + what, reading);
+    } catch (const Error& error) {
+      const std::string text = error.what();
+      return text.starts_with(file + ": ") ? text.substr(file.size() + 2) : text;
+    }
+    return "read";
+  }
+};
+
+TEST_F(FailingReader, OneThatDoesWellIsRead) { EXPECT_EQ(error_of("well"), "read"); }
+
+TEST_F(FailingReader, ItsEndIsAnError) {
+  EXPECT_EQ(error_of("abort"), "its reader failed (signal 6, Aborted)");
+  EXPECT_EQ(error_of("crash"), "its reader failed (signal 11, Segmentation fault)");
+  EXPECT_EQ(error_of("leave"), "its reader failed (exit code 7)");
+  EXPECT_EQ(error_of("nothing"), "its reader failed (it ended before its answer did)");
+}
+
+TEST_F(FailingReader, ALoopIsEnded) {
+  EXPECT_EQ(error_of("loop"), "its reader failed (it took longer than 1 s of processor time)");
+  EXPECT_EQ(error_of("sleep", std::chrono::seconds(1)), "its reader failed (it took longer than 1 s)");
+}
+
+TEST_F(FailingReader, MemoryHasAnEnd) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer needs the address space";
+#endif
+  EXPECT_EQ(error_of("allocate"),
+            "its reader failed (signal 6, Aborted)");  // as what it threw was not caught
+}
+
+TEST_F(FailingReader, AnAnswerIsHeldAgainstItself) {
+  for (const char* what : {"short", "unfinished"})
+    EXPECT_EQ(error_of(what), "its reader failed (it ended before its answer did)") << what;
+  for (const char* what : {"garbage", "deep", "endless", "count", "negative", "flat", "spacing", "other"})
+    EXPECT_EQ(error_of(what), "its reader failed (its answer makes no sense)") << what;
+  EXPECT_NE(error_of("huge").find("memory"), std::string::npos) << error_of("huge");
+}
+
+TEST_F(FailingReader, OneThatIsNotThereIsSaid) {
+  Reading reading;
+  reading.reader = path("no reader");
+  EXPECT_NE(error_of("well", reading).find("cannot be started: No such file"), std::string::npos);
+}
+
+TEST_F(FailingReader, IsEndedWhenNobodyWantsTheFile) {
+  std::stop_source stop;
+  Reading reading;
+  reading.reader = bad_reader_program();
+  reading.patience = std::chrono::seconds(600);
+  reading.stop = stop.get_token();
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    stop.request_stop();
+  });
+  EXPECT_EQ(error_of("sleep", reading), "reading it was stopped");
+  other.join();
+}
+
+TEST_F(FailingReader, CanReadFilesAndNoMore) {
+  const std::string doors = error_of("doors");
+  if (doors.find("network") != std::string::npos) GTEST_SKIP() << "this system has no seccomp filters";
+  EXPECT_EQ(doors, "doors:");
+  EXPECT_TRUE(std::filesystem::exists(path("v.nrrd")));
+}
+
+TEST_F(FailingReader, InheritsNothingThatIsOpen) {
+  // Where it did, the pipe would stay open while the reader sleeps.
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  std::stop_source stop;
+  Reading reading;
+  reading.reader = bad_reader_program();
+  reading.patience = std::chrono::seconds(600);
+  reading.stop = stop.get_token();
+  std::thread other([&] { error_of("sleep", reading); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  close(ends[1]);
+  char byte = 0;
+  EXPECT_EQ(read(ends[0], &byte, 1), 0);
+  close(ends[0]);
+  stop.request_stop();
+  other.join();
+}
+
+}  // namespace
+}  // namespace crest::test

@@ -1,0 +1,18 @@
+# Writes OUT: VERSION, with the commit of ROOT where git knows one ("+" where files differ from it).
+find_program(GIT git)
+set(COMMIT "")
+if(GIT)
+  execute_process(COMMAND ${GIT} -C ${ROOT} describe --always --exclude * --abbrev=12 --dirty=+
+    OUTPUT_VARIABLE COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+endif()
+if(COMMIT)
+  set(VERSION "${VERSION} (${COMMIT})")
+endif()
+set(TEXT "#pragma once\n#define CREST_VERSION \"${VERSION}\"\n")
+set(OLD "")
+if(EXISTS ${OUT})
+  file(READ ${OUT} OLD)
+endif()
+if(NOT OLD STREQUAL TEXT)
+  file(WRITE ${OUT} "${TEXT}")
+endif()

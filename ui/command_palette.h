@@ -1,0 +1,22 @@
+#pragma once
+
+#include "ui/actions.h"
+#include "ui/studio_state.h"
+
+namespace crest {
+
+/// One line of the palette.
+struct PaletteRow {
+  std::string title;  ///< "Open builtin:gyroid"
+  Action action;
+  std::string why_not;  ///< it cannot be chosen
+};
+
+/// What fits what was typed, the best first; where nothing was typed all there is, and first of it what was
+/// chosen last.
+std::vector<PaletteRow> palette_rows(const ActionContext& context, std::string_view typed);
+
+/// The window in which any action is found by its name. Returns whether it changed the document.
+bool command_palette(const ActionContext& context);
+
+}  // namespace crest

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "ui/studio_state.h"
+
+namespace crest {
+
+/// The window that asks what a volume's file leaves open: which component, frame or series, or how its raw
+/// voxels lie (raw_form.h). What is chosen is opened.
+void opening_dialog(StudioState& state, const StudioInputs& inputs, StudioRequests& requests);
+
+}  // namespace crest
