@@ -32,8 +32,8 @@ const Module& load(const char* file, const char* entry) {
 
 std::filesystem::path reader_program() { return render_folder() / "crest-reader"; }
 
-const VolumeModule& volume_module() {
-  static const VolumeModule& module = load<VolumeModule>("libcrest_volume_files.so", "crest_volume_module");
+const DicomModule& dicom_module() {
+  static const DicomModule& module = load<DicomModule>("libcrest_dicom_files.so", "crest_dicom_module");
   return module;
 }
 

@@ -13,13 +13,15 @@
 
 namespace crest {
 
-/// What a reader is asked for: the forms of volume files that need a library, and what a picture holds.
+/// What a reader is asked for: the forms of volume files, and what a picture holds.
 enum class FileForm {
   nrrd,
   metaimage,
   nifti,
   mrc,
   vtk,
+  vti,
+  npy,
   dicom_file,
   dicom_series,
   image_pages,
@@ -27,24 +29,25 @@ enum class FileForm {
   picture,
   picture_preset
 };
-inline constexpr std::array<std::string_view, 11> file_form_names{
-    "nrrd",         "metaimage",   "nifti",        "mrc",     "vtk",           "dicom_file",
-    "dicom_series", "image_pages", "image_folder", "picture", "picture_preset"};
+inline constexpr std::array<std::string_view, 13> file_form_names{
+    "nrrd",       "metaimage",    "nifti",       "mrc",          "vtk",     "vti",           "npy",
+    "dicom_file", "dicom_series", "image_pages", "image_folder", "picture", "picture_preset"};
 
-// ITK brings some 30 libraries, and OpenImageIO 260, which take a fifth of a second to load. Each lies in a
+// GDCM brings some 20 libraries, and OpenImageIO 260, which take a fifth of a second to load. Each lies in a
 // module of its own (render/readers), which is loaded when it is first asked for. Only the reader's program
 // (render/reader) reads with them, since a damaged file may take them down; the program itself writes
-// pictures.
+// pictures. The other forms are read by code in the reader's program.
 
-/// ITK's.
-struct VolumeModule {
-  /// Fills the grid, the values, the file's type, the direction and the note. Throws Error.
+/// GDCM's.
+struct DicomModule {
+  /// Of a file, or of a folder: fills the grid, the values, the file's type, the direction and the note.
+  /// Throws Error.
   Volume (*read)(FileForm form, const FileRequest& request);
 };
 
-/// OpenImageIO's.
+/// OpenImageIO's, libtiff's and libpng's.
 struct ImageModule {
-  /// As VolumeModule: of pages, or of a folder.
+  /// As DicomModule: of pages, or of a folder.
   Volume (*read)(FileForm form, const FileRequest& request);
   std::string (*preset_in_picture)(const std::filesystem::path& path);
   Image (*read_image)(const std::filesystem::path& path);
@@ -58,7 +61,7 @@ struct ImageModule {
 };
 
 /// Both throw Error when it cannot be loaded. Any thread may ask.
-const VolumeModule& volume_module();
+const DicomModule& dicom_module();
 const ImageModule& image_module();
 
 }  // namespace crest

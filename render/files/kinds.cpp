@@ -20,7 +20,7 @@ bool is_dicom(const fs::path& path) {
 
 bool is_image(const fs::path& path) {
   constexpr std::string_view extensions[] = {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp", ".exr",
-                                             ".pgm", ".pnm", ".ppm",  ".tga", ".jp2",  ".webp"};
+                                             ".pgm", ".pbm", ".pnm",  ".ppm", ".tga",  ".jp2", ".webp"};
   return fs::is_regular_file(path) && !path.filename().string().starts_with('.') &&
          std::ranges::find(extensions, extension_of(path)) != std::end(extensions);
 }

@@ -46,7 +46,7 @@ Volume volume_from_json(const Json& json) {
     if (volume.grid.dims[axis] < 2 || volume.grid.spacing[axis] <= 0) throw Error("a grid that is none");
   }
   const int type = integer(json.at("type"));
-  if (type < 0 || type > int(ScalarType::float64)) throw Error("a type that is none");
+  if (type < 0 || type > int(ScalarType::float16)) throw Error("a type that is none");
   volume.file_type = ScalarType(type);
   volume.note = json.at("note").get<std::string>();
   return volume;

@@ -22,6 +22,7 @@
 #include "render/files/reader_answer.h"
 #include "render/reader/confine.h"
 #include "render/reader/limits.h"
+#include "render/readers/readers.h"
 
 namespace crest {
 namespace {
@@ -89,6 +90,7 @@ Task task_of(std::span<char*> words) {
   return task;
 }
 
+bool is_dicom_form(FileForm form) { return form == FileForm::dicom_file || form == FileForm::dicom_series; }
 bool needs_images(FileForm form) { return form >= FileForm::image_pages; }
 
 void answer_volume(const Answer& answer, Volume volume) {
@@ -108,15 +110,18 @@ void answer_task(const Answer& answer, const Task& task) {
     answer.line({{"preset", image_module().preset_in_picture(path)}});
   } else if (needs_images(task.form)) {
     answer_volume(answer, image_module().read(task.form, task.request));
+  } else if (is_dicom_form(task.form)) {
+    answer_volume(answer, dicom_module().read(task.form, task.request));
   } else {
-    answer_volume(answer, volume_module().read(task.form, task.request));
+    answer_volume(answer, read_voxel_file(task.form, task.request));
   }
 }
 
 void run(const Answer& answer, std::span<char*> words) {
   Task task = task_of(words);
   // With the libraries in memory, what they take from here on is the file's.
-  needs_images(task.form) ? static_cast<void>(image_module()) : static_cast<void>(volume_module());
+  if (needs_images(task.form)) image_module();
+  if (is_dicom_form(task.form)) dicom_module();
   const Limits limits;
   const auto expect = [&](std::uint64_t bytes) {
     answer.line({{"expects", bytes}, {"seconds", limits.allow(bytes)}});

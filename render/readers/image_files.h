@@ -7,7 +7,7 @@
 
 namespace crest {
 
-// As FileLibrary says.
+// As ImageModule says.
 std::string encode_rgb8(const std::filesystem::path& path, glm::ivec2 size, const void* pixels,
                         const std::string& preset);
 std::string encode_rgba32f(const std::filesystem::path& path, glm::ivec2 size, const void* pixels,

@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "presets/error.h"
@@ -20,8 +22,8 @@ struct MetaText {
   std::size_t end = 0;                        ///< where they end, and local data begins
 };
 
-/// MetaIO reads keys and some values into buffers of a fixed size, and of a key that is there twice the
-/// first.
+/// As long as MetaIO, which other programs read the format with, has room for; and no key twice, of which
+/// programs take one or the other.
 void check_field(const std::string& name, int line, std::string_view key, std::string_view value,
                  bool is_new) {
   constexpr std::size_t longest_line = 4096, longest_text = 254;
@@ -107,26 +109,98 @@ std::vector<fs::path> voxel_files(const std::string& name, const fs::path& path,
   return files;
 }
 
+ScalarType type_of(const std::string& name, std::string text) {
+  using enum ScalarType;
+  static const std::map<std::string_view, ScalarType> types = {
+      {"MET_CHAR", int8},     {"MET_UCHAR", uint8},    {"MET_SHORT", int16},     {"MET_USHORT", uint16},
+      {"MET_INT", int32},     {"MET_UINT", uint32},    {"MET_LONG", int32},      {"MET_ULONG", uint32},
+      {"MET_FLOAT", float32}, {"MET_DOUBLE", float64}, {"MET_LONG_LONG", int64}, {"MET_ULONG_LONG", uint64}};
+  if (text.ends_with("_ARRAY")) text.erase(text.size() - 6);
+  const auto found = types.find(text);
+  if (found != types.end()) return found->second;
+  throw Error(fmt::format("{}: its voxels are of a type ({}) that is not read; MET_CHAR to MET_DOUBLE are",
+                          name, one_line(text)));
+}
+
+/// The numbers of the first of `keys` that is there; none when there is none.
+std::vector<double> numbers_of(const std::string& name, const MetaText& text,
+                               std::initializer_list<const char*> keys, std::size_t count) {
+  for (const char* key : keys) {
+    const auto found = text.fields.find(key);
+    if (found == text.fields.end()) continue;
+    std::vector<double> numbers;
+    for (const std::string& word : words(found->second))
+      numbers.push_back(to_number(word).value_or(std::numeric_limits<double>::quiet_NaN()));
+    if (numbers.size() >= count) return numbers;
+    throw Error(fmt::format("{}: {} = {} has {} numbers, and needs {}", name, key, one_line(found->second),
+                            numbers.size(), count));
+  }
+  return {};
+}
+
+void take_layout(const std::string& name, const MetaText& text, std::size_t axes, VoxelHeader& header) {
+  const auto sizes = numbers_of(name, text, {"DimSize"}, axes);
+  std::vector<std::uint64_t> dims;
+  for (std::size_t a = 0; a < axes; ++a) {
+    constexpr double most = 0x1p53;
+    if (!(sizes[a] >= 1 && sizes[a] < most) || sizes[a] != std::floor(sizes[a]))
+      throw Error(fmt::format("{}: DimSize = {} are not numbers of points", name,
+                              one_line(text.fields.at("DimSize"))));
+    dims.push_back(std::uint64_t(sizes[a]));
+  }
+  while (dims.size() > 3 && dims.back() == 1) dims.pop_back();
+  if (dims.size() < 3 || dims.size() > 4) {
+    throw Error(
+        fmt::format("{}: it has {} dimensions, and a volume has three{}", name, dims.size(),
+                    dims.size() == 2 ? ": put its slices into one file, or open a folder of images" : ""));
+  }
+  const auto channels = std::uint64_t(integer_of(name, text, "ElementNumberOfChannels", 1, 1, 1024));
+  header.layout = interleaved({dims[0], dims[1], dims[2]}, channels, dims.size() > 3 ? dims[3] : 1);
+}
+
+void take_geometry(const std::string& name, const MetaText& text, std::size_t axes, VoxelHeader& header) {
+  const auto spacing = numbers_of(name, text, {"ElementSpacing", "ElementSize"}, axes);
+  const auto origin = numbers_of(name, text, {"Offset", "Position", "Origin"}, axes);
+  const auto direction = numbers_of(name, text, {"TransformMatrix", "Rotation", "Orientation"}, axes * axes);
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (!spacing.empty()) header.spacing[int(a)] = spacing[a];
+    if (!origin.empty()) header.origin[int(a)] = origin[a];
+    for (std::size_t row = 0; row < 3 && !direction.empty(); ++row)
+      header.direction[int(a)][int(row)] = direction[a * axes + row];
+  }
+}
+
+void take_data(const std::string& name, const fs::path& path, const MetaText& text, VoxelHeader& header) {
+  constexpr std::int64_t most_bytes = std::int64_t(1) << 60;
+  VoxelData& data = header.data;
+  data.files = voxel_files(name, path, text);
+  if (is_true(text, "CompressedData", false)) data.encoding = Encoding::deflate;
+  if (!is_true(text, "BinaryData", true)) data.encoding = Encoding::decimal;
+  if (data.files == std::vector{path}) {
+    data.offset = text.end;
+    data.first_line = std::size_t(text.list_line);
+  }
+  const std::int64_t skip = integer_of(name, text, "HeaderSize", 0, -1, most_bytes);
+  if (skip > 0) data.offset = std::uint64_t(skip);
+  data.at_file_end = skip == -1 && data.encoding == Encoding::raw;
+  const bool big_endian =
+      is_true(text, "BinaryDataByteOrderMSB", is_true(text, "ElementByteOrderMSB", false));
+  header.endian = big_endian ? std::endian::big : std::endian::little;
+}
+
 }  // namespace
 
-FileHeader read_metaimage_header(const fs::path& path) {
-  constexpr std::int64_t most_bytes = std::int64_t(1) << 60;
+VoxelHeader read_metaimage_header(const fs::path& path) {
   const std::string name = path.string();
   const MetaText text = parse(name, read_head(path, longest_header));
-  integer_of(name, text, "NDims", 0, 1, 10);  // MetaIO's arrays have 10 places
-  integer_of(name, text, "ElementNumberOfChannels", 1, 1, 1024);
-  FileHeader header;
-  header.data.files = voxel_files(name, path, text);
-  const bool local = header.data.files == std::vector{path};
-  if (is_true(text, "CompressedData", false)) header.data.encoding = Encoding::deflate;
-  if (!is_true(text, "BinaryData", true)) header.data.encoding = Encoding::decimal;
-  if (local) header.data.offset = text.end;
-  const std::int64_t skip = integer_of(name, text, "HeaderSize", 0, -1, most_bytes);
-  if (skip > 0) header.data.offset = std::uint64_t(skip);
-  if (header.data.encoding == Encoding::deflate) {
-    const bool big_endian =
-        is_true(text, "BinaryDataByteOrderMSB", is_true(text, "ElementByteOrderMSB", false));
-    header.inflate_here = big_endian ? std::endian::big : std::endian::little;
+  const auto axes = std::size_t(integer_of(name, text, "NDims", 0, 1, 10));
+  VoxelHeader header;
+  take_layout(name, text, axes, header);
+  take_geometry(name, text, axes, header);
+  header.type = type_of(name, text.fields.at("ElementType"));
+  take_data(name, path, text, header);
+  for (const char* key : {"ElementToIntensityFunctionSlope", "ElementToIntensityFunctionOffset"}) {
+    if (text.fields.contains(key)) add_note(header.note, fmt::format("{} is not applied", key));
   }
   return header;
 }

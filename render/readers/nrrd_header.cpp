@@ -14,9 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 
 struct NrrdText {
-  std::map<std::string, std::string> fields;
+  NrrdFields fields;
   std::vector<std::string> file_list;  ///< the lines after "data file: LIST"
   std::size_t end = 0;                 ///< where an attached header ends
+  std::size_t lines = 0;               ///< in it
   bool attached = false;
 };
 
@@ -26,6 +27,7 @@ NrrdText parse(const std::string& name, std::string_view head) {
   NrrdText text;
   HeaderLines lines(head);
   for (std::string_view line; lines.next(line);) {
+    ++text.lines;
     if (line.empty()) {
       text.attached = !text.fields.contains("data file");
       break;
@@ -36,7 +38,8 @@ NrrdText parse(const std::string& name, std::string_view head) {
       std::string key = lower(trim(line.substr(0, colon)));
       if (key == "datafile") key = "data file";
       std::erase(key, '\t');
-      text.fields[key] = trim(line.substr(colon + 1));
+      if (!text.fields.emplace(key, trim(line.substr(colon + 1))).second)
+        throw Error(fmt::format("{}: the NRRD header has \"{}\" twice", name, key));
     } else if (text.fields.contains("data file") && colon == std::string_view::npos) {
       text.file_list.emplace_back(line);
     }
@@ -48,7 +51,68 @@ NrrdText parse(const std::string& name, std::string_view head) {
   return text;
 }
 
-/// A header has at most 16 axes, with short words for each; ITK would write behind its arrays.
+ScalarType type_of(const std::string& name, const std::string& text) {
+  using enum ScalarType;
+  static const std::map<std::string_view, ScalarType> types = {{"signed char", int8},
+                                                               {"int8", int8},
+                                                               {"int8_t", int8},
+                                                               {"uchar", uint8},
+                                                               {"unsigned char", uint8},
+                                                               {"uint8", uint8},
+                                                               {"uint8_t", uint8},
+                                                               {"short", int16},
+                                                               {"short int", int16},
+                                                               {"signed short", int16},
+                                                               {"signed short int", int16},
+                                                               {"int16", int16},
+                                                               {"int16_t", int16},
+                                                               {"ushort", uint16},
+                                                               {"unsigned short", uint16},
+                                                               {"unsigned short int", uint16},
+                                                               {"uint16", uint16},
+                                                               {"uint16_t", uint16},
+                                                               {"int", int32},
+                                                               {"signed int", int32},
+                                                               {"int32", int32},
+                                                               {"int32_t", int32},
+                                                               {"uint", uint32},
+                                                               {"unsigned int", uint32},
+                                                               {"uint32", uint32},
+                                                               {"uint32_t", uint32},
+                                                               {"longlong", int64},
+                                                               {"long long", int64},
+                                                               {"long long int", int64},
+                                                               {"signed long long", int64},
+                                                               {"signed long long int", int64},
+                                                               {"int64", int64},
+                                                               {"int64_t", int64},
+                                                               {"ulonglong", uint64},
+                                                               {"unsigned long long", uint64},
+                                                               {"unsigned long long int", uint64},
+                                                               {"uint64", uint64},
+                                                               {"uint64_t", uint64},
+                                                               {"float", float32},
+                                                               {"double", float64}};
+  const auto found = types.find(lower(text));
+  if (found != types.end()) return found->second;
+  throw Error(fmt::format("{}: its voxels are of a type (\"{}\") that is not read; int8 to double are", name,
+                          one_line(text)));
+}
+
+std::endian endian_of(const std::string& name, const NrrdText& text, ScalarType type, Encoding encoding) {
+  const auto found = text.fields.find("endian");
+  if (found != text.fields.end()) {
+    const std::string endian = lower(found->second);
+    if (endian == "little") return std::endian::little;
+    if (endian == "big") return std::endian::big;
+    throw Error(fmt::format("{}: endian: {} is neither little nor big", name, one_line(found->second)));
+  }
+  if (size_of(type) == 1 || encoding == Encoding::decimal) return std::endian::native;
+  throw Error(fmt::format("{}: the NRRD header has no \"endian\" (little or big), which voxels of {} need",
+                          name, name_of(type)));
+}
+
+/// A header has at most 16 axes, with short words for each.
 void require_few_words(const std::string& name, const NrrdText& text) {
   constexpr std::size_t most_axes = 16, longest_word = 128, longest_labels = 4096;
   for (const char* key : {"sizes", "kinds", "spacings", "thicknesses", "centers", "centerings", "axis mins",
@@ -130,26 +194,22 @@ std::uint64_t after_lines(const std::string& name, const fs::path& file, std::ui
 
 }  // namespace
 
-FileHeader read_nrrd_header(const fs::path& path) {
+VoxelHeader read_nrrd_header(const fs::path& path) {
   const std::string name = path.string();
   const NrrdText text = parse(name, read_head(path, longest_header));
   for (const char* key : {"type", "dimension", "sizes", "encoding"}) {
     if (!text.fields.contains(key)) throw Error(fmt::format("{}: the NRRD header has no \"{}\"", name, key));
   }
   require_few_words(name, text);
-  const bool has_space = text.fields.contains("space") || text.fields.contains("space dimension");
-  const auto kinds = text.fields.find("kinds");
-  if (has_space && kinds != text.fields.end() && lower(kinds->second).find("time") != std::string::npos) {
-    throw Error(fmt::format(
-        "{}: a time axis beside a space is not read: without the lines that begin with \"space\", "
-        "?frame=0 takes the first frame",
-        name));
-  }
-  FileHeader header;
+  VoxelHeader header;
+  take_nrrd_axes(name, text.fields, header);
+  header.type = type_of(name, text.fields.at("type"));
   header.data.encoding = encoding_of(name, text.fields.at("encoding"));
+  header.endian = endian_of(name, text, header.type, header.data.encoding);
   if (text.attached) {
     header.data.files = {path};
     header.data.offset = text.end;
+    header.data.first_line = text.lines + 1;
   } else {
     header.data.files = voxel_files(name, path.parent_path(), text);
   }
@@ -157,8 +217,11 @@ FileHeader read_nrrd_header(const fs::path& path) {
   if (!text.fields.contains("line skip")) line_skip = skip_of(name, text, "lineskip", 0);
   std::int64_t byte_skip = skip_of(name, text, "byte skip", -1);
   if (!text.fields.contains("byte skip")) byte_skip = skip_of(name, text, "byteskip", -1);
+  if (line_skip > 0 && header.data.files.size() > 1)
+    throw Error(fmt::format("{}: line skip is read with one data file only", name));
   if (header.data.files.size() == 1) {
     header.data.offset = after_lines(name, header.data.files[0], header.data.offset, line_skip);
+    header.data.first_line += std::size_t(line_skip);
   }
   constexpr std::int64_t most_inflated = std::int64_t(1) << 26;
   if (header.data.encoding == Encoding::deflate && (byte_skip < 0 || byte_skip > most_inflated)) {
@@ -166,6 +229,7 @@ FileHeader read_nrrd_header(const fs::path& path) {
                             most_inflated));
   }
   if (byte_skip > 0) header.data.skip = std::uint64_t(byte_skip);
+  header.data.at_file_end = byte_skip == -1;
   return header;
 }
 

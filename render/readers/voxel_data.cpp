@@ -10,6 +10,7 @@
 #include <span>
 
 #include "presets/error.h"
+#include "render/readers/text_voxels.h"
 
 namespace crest {
 namespace {
@@ -85,84 +86,161 @@ class Inflater {
   std::string fault_;
 };
 
-/// Hands the inflated voxels on in blocks, and makes sure that there are `voxel_bytes` of them.
-template <class Sink>
-void inflate_all(const std::string& name, const VoxelData& data, std::uint64_t voxel_bytes, Sink sink) {
-  const std::uint64_t promised = data.skip + voxel_bytes;
-  std::uint64_t held = 0;
+/// The values of one file that are kept, counted from its first one.
+struct Part {
+  const fs::path& file;
+  std::uint64_t values, first, taken;
+};
+
+/// Compressed data that is far longer than the voxels is not inflated to find where they begin.
+constexpr std::uint64_t longest_skip = std::uint64_t(1) << 24;
+
+void read_raw(const std::string& name, const VoxelData& data, const Part& part, std::size_t value_size,
+              std::vector<std::byte>& out) {
+  const std::uint64_t bytes = part.values * value_size, kept = part.taken * value_size;
+  const std::uint64_t begin =
+      data.at_file_end ? bytes_from(name, part.file, 0) - bytes : data.offset + data.skip;
+  std::ifstream file(part.file, std::ios::binary);
+  file.seekg(std::streamoff(begin + part.first * value_size));
+  const std::size_t done = out.size();
+  out.resize(done + kept);
+  if (!file.read(reinterpret_cast<char*>(out.data() + done), std::streamsize(kept)))
+    throw Error(fmt::format("{}: {} could not be read to its end", name, part.file.string()));
+}
+
+/// What a file inflates to, in bytes; more than `most` is not counted.
+std::uint64_t inflated_size(const VoxelData& data, const fs::path& file, std::uint64_t most) {
+  Inflater inflater(file, data.offset);
   std::vector<char> block(block_size);
-  for (const fs::path& path : data.files) {
-    Inflater inflater(path, data.offset);
-    std::size_t got = 0;
-    do {
-      got = inflater.read(block);
-      const std::uint64_t before = held < data.skip ? std::min<std::uint64_t>(data.skip - held, got) : 0;
-      sink(std::span<const char>(block).first(got).subspan(before));
-      held += got;
-    } while (got == block.size() && held <= promised + block_size);
-    if (!inflater.fault().empty()) {
-      throw Error(fmt::format("{}: {} after {} of {} bytes", name, inflater.fault(), held, promised));
-    }
+  std::uint64_t held = 0;
+  std::size_t got = 0;
+  do {
+    held += got = inflater.read(block);
+  } while (got == block.size() && held <= most);
+  return held;
+}
+
+void read_deflated(const std::string& name, const VoxelData& data, const Part& part, std::size_t value_size,
+                   std::vector<std::byte>& out) {
+  const std::uint64_t bytes = part.values * value_size;
+  std::uint64_t skip = data.skip;
+  if (data.at_file_end) {
+    const std::uint64_t whole = inflated_size(data, part.file, bytes + longest_skip);
+    if (whole > bytes + longest_skip)
+      throw Error(fmt::format("{}: too much compressed data lies before its voxels", name));
+    skip = whole > bytes ? whole - bytes : 0;
   }
+  const std::uint64_t promised = skip + bytes;
+  const std::uint64_t begin = skip + part.first * value_size, end = begin + part.taken * value_size;
+  Inflater inflater(part.file, data.offset);
+  std::vector<char> block(block_size);
+  std::uint64_t held = 0;
+  std::size_t got = 0;
+  do {
+    got = inflater.read(block);
+    const std::uint64_t from = std::max(held, begin), to = std::min(held + got, end);
+    if (from < to) {
+      const auto* inflated = reinterpret_cast<const std::byte*>(block.data());
+      out.insert(out.end(), inflated + (from - held), inflated + (to - held));
+    }
+    held += got;
+  } while (got == block.size() && held <= promised + block_size);
+  if (!inflater.fault().empty())
+    throw Error(fmt::format("{}: {} after {} of {} bytes", name, inflater.fault(), held, promised));
   if (held < promised) throw_short(name, data, promised, held, "bytes");
 }
 
-std::uint64_t count_numbers(const fs::path& path, std::uint64_t offset) {
-  std::ifstream file(path, std::ios::binary);
-  file.seekg(std::streamoff(offset));
-  std::vector<char> block(block_size);
-  std::uint64_t count = 0;
-  bool within = false;
-  while (file.read(block.data(), std::streamsize(block.size())), file.gcount() > 0) {
-    for (const char c : std::span(block).first(std::size_t(file.gcount()))) {
-      const bool separator = std::isspace(static_cast<unsigned char>(c)) || c == ',';
-      count += !separator && !within;
-      within = !separator;
-    }
+void read_text(const std::string& name, const VoxelData& data, const Part& part, ScalarType type,
+               std::uint64_t before, std::vector<std::byte>& out) {
+  std::ifstream file(part.file, std::ios::binary);
+  file.seekg(std::streamoff(data.offset));
+  WordStream text(file, data.first_line);
+  read_numbers(name, text, {type, part.values, part.first, part.taken}, out, before);
+}
+
+int digit_of(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  const char small = char(c | 0x20);
+  return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
+}
+
+void read_hexadecimal(const std::string& name, const VoxelData& data, const Part& part,
+                      std::size_t value_size, std::vector<std::byte>& out) {
+  std::ifstream file(part.file, std::ios::binary);
+  file.seekg(std::streamoff(data.offset));
+  const std::uint64_t digits = 2 * part.values * value_size;
+  const std::uint64_t begin = part.first * value_size, end = begin + part.taken * value_size;
+  std::uint64_t held = 0;
+  int high = 0;
+  for (char c; held < digits && file.get(c);) {
+    const int digit = digit_of(c);
+    if (digit < 0 && std::isspace(static_cast<unsigned char>(c))) continue;
+    if (digit < 0)
+      throw Error(fmt::format("{}: its voxels hold what is no hexadecimal digit, after {}", name, held));
+    const std::uint64_t byte = held++ / 2;
+    if (held % 2 == 0 && byte >= begin && byte < end) out.push_back(std::byte(high * 16 + digit));
+    high = digit;
   }
-  return count;
+  if (held < digits) throw_short(name, data, digits, held, "hexadecimal digits");
+}
+
+/// Of `values`, how many are in each file.
+std::uint64_t share_of(const std::string& name, const VoxelData& data, std::uint64_t values) {
+  const std::uint64_t files = data.files.size();
+  if (files > 0 && values % files == 0) return values / files;
+  throw Error(
+      fmt::format("{}: {} numbers of voxels cannot be in {} files of one length", name, values, files));
 }
 
 }  // namespace
 
 void require_room(const std::string& name, const VoxelData& data, std::uint64_t values,
                   std::uint64_t value_size) {
+  const std::uint64_t share = share_of(name, data, values), bytes = share * value_size + data.skip;
   std::uint64_t held = 0;
-  for (const fs::path& path : data.files) held += bytes_from(name, path, data.offset);
-  const std::uint64_t bytes = values * value_size + data.skip;
+  for (const fs::path& path : data.files) held += bytes_from(name, path, data.at_file_end ? 0 : data.offset);
+  const std::uint64_t files = data.files.size();
   switch (data.encoding) {
     case Encoding::raw:
-      if (held < bytes) throw_short(name, data, bytes, held, "bytes");
+      for (const fs::path& path : data.files) {
+        if (bytes_from(name, path, data.at_file_end ? 0 : data.offset) < bytes)
+          throw_short(name, data, bytes * files, held, "bytes");
+      }
       break;
     case Encoding::deflate:
-      if (held < bytes / greatest_inflation) throw_short(name, data, bytes, held, "bytes (compressed)");
+      if (data.skip > share * value_size + longest_skip) {
+        throw Error(
+            fmt::format("{}: its voxels begin after {} bytes of compressed data, and are {} themselves", name,
+                        data.skip, share * value_size));
+      }
+      if (held < bytes * files / greatest_inflation)
+        throw_short(name, data, bytes * files, held, "bytes (compressed)");
       break;
     case Encoding::decimal:
-      if (held < values * 2 - 1) throw_short(name, data, values, held, "numbers as text");
+      if (held < values * 2 - 1) throw_short(name, data, values * 2 - 1, held, "characters");
       break;
     case Encoding::hexadecimal:
-      if (held < bytes * 2) throw_short(name, data, bytes * 2, held, "hexadecimal digits");
+      if (held < bytes * files * 2) throw_short(name, data, bytes * files * 2, held, "hexadecimal digits");
       break;
   }
 }
 
-void require_all(const std::string& name, const VoxelData& data, std::uint64_t values,
-                 std::uint64_t value_size) {
-  if (data.encoding == Encoding::deflate) inflate_all(name, data, values * value_size, [](auto) {});
-  if (data.encoding == Encoding::decimal) {
-    std::uint64_t held = 0;
-    for (const fs::path& path : data.files) held += count_numbers(path, data.offset);
-    if (held < values) throw_short(name, data, values, held, "numbers");
+std::vector<std::byte> read_stored(const std::string& name, const VoxelData& data, ScalarType type,
+                                   std::uint64_t values, std::uint64_t first, std::uint64_t taken) {
+  const std::uint64_t share = share_of(name, data, values);
+  std::vector<std::byte> out;
+  out.reserve(taken * size_of(type));
+  for (std::size_t f = 0; f < data.files.size(); ++f) {
+    const std::uint64_t begin = f * share, end = begin + share;
+    const std::uint64_t from = std::clamp(first, begin, end), to = std::clamp(first + taken, begin, end);
+    const Part part{data.files[f], share, from - begin, to - from};
+    if (data.encoding == Encoding::decimal) read_text(name, data, part, type, begin, out);
+    if (part.taken == 0) continue;
+    if (data.encoding == Encoding::raw) read_raw(name, data, part, size_of(type), out);
+    if (data.encoding == Encoding::deflate) read_deflated(name, data, part, size_of(type), out);
+    if (data.encoding == Encoding::hexadecimal) read_hexadecimal(name, data, part, size_of(type), out);
   }
-}
-
-void inflate_voxels(const std::string& name, const VoxelData& data, std::span<std::byte> out) {
-  std::size_t done = 0;
-  inflate_all(name, data, out.size(), [&](std::span<const char> block) {
-    const std::size_t size = std::min(block.size(), out.size() - done);
-    if (size > 0) std::memcpy(out.data() + done, block.data(), size);
-    done += size;
-  });
+  return out;
 }
 
 std::string read_head(const fs::path& path, std::size_t size, bool inflate) {

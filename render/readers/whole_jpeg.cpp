@@ -9,7 +9,7 @@
 
 #include "presets/error.h"
 #include "render/files/header_text.h"
-#include "render/readers/whole_images.h"
+#include "render/readers/whole_jpeg.h"
 
 namespace crest {
 namespace {

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <glm/gtc/packing.hpp>
 #include <span>
+#include <type_traits>
 
 #include "render/volume/volume.h"
 
@@ -13,7 +16,55 @@ struct LinearMap {
   bool operator==(const LinearMap&) const = default;
 };
 
-/// `out.size()` values of `type` as float32, mapped in double and rounded once; `stride` is the distance
+/// A half-precision number as it is stored.
+struct Half {
+  std::uint16_t bits = 0;
+  explicit operator float() const { return glm::unpackHalf1x16(bits); }
+  explicit operator double() const { return double(float(*this)); }
+};
+
+/// Calls `f` with a value of the C++ type that `type` names.
+template <class F>
+void with_scalar_type(ScalarType type, F&& f) {
+  switch (type) {
+    case ScalarType::uint8:
+      return f(std::uint8_t());
+    case ScalarType::int8:
+      return f(std::int8_t());
+    case ScalarType::uint16:
+      return f(std::uint16_t());
+    case ScalarType::int16:
+      return f(std::int16_t());
+    case ScalarType::uint32:
+      return f(std::uint32_t());
+    case ScalarType::int32:
+      return f(std::int32_t());
+    case ScalarType::uint64:
+      return f(std::uint64_t());
+    case ScalarType::int64:
+      return f(std::int64_t());
+    case ScalarType::float64:
+      return f(double());
+    case ScalarType::float16:
+      return f(Half());
+    case ScalarType::float32:
+      break;
+  }
+  return f(float());
+}
+
+/// A stored value mapped in a type that holds it exactly: 64-bit integers have more digits than double.
+template <class T>
+auto mapped(T value, LinearMap map) {
+  using Wide = std::conditional_t<std::is_integral_v<T> && sizeof(T) == 8, long double, double>;
+  return static_cast<Wide>(value) * static_cast<Wide>(map.slope) + static_cast<Wide>(map.intercept);
+}
+template <class T>
+float mapped_to_float(T value, LinearMap map) {
+  return map == LinearMap() ? float(value) : float(mapped(value, map));
+}
+
+/// `out.size()` values of `type` as float32, mapped exactly and rounded once; `stride` is the distance
 /// between them in `bytes`, in values (3 takes one component of RGB). `bytes` starts at the first value; it
 /// need not be aligned.
 void convert_to_float(std::span<const std::byte> bytes, ScalarType type, std::size_t stride,

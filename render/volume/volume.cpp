@@ -13,6 +13,7 @@ std::size_t size_of(ScalarType type) {
       return 1;
     case ScalarType::uint16:
     case ScalarType::int16:
+    case ScalarType::float16:
       return 2;
     case ScalarType::uint32:
     case ScalarType::int32:
@@ -48,8 +49,14 @@ const char* name_of(ScalarType type) {
       return "float32";
     case ScalarType::float64:
       return "float64";
+    case ScalarType::float16:
+      return "float16";
   }
   return "";
+}
+
+bool is_integer(ScalarType type) {
+  return type != ScalarType::float32 && type != ScalarType::float64 && type != ScalarType::float16;
 }
 
 }  // namespace crest

@@ -26,9 +26,11 @@ struct Grid {
   bool operator==(const Grid&) const = default;
 };
 
-enum class ScalarType { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
+/// float16: IEEE half precision.
+enum class ScalarType { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64, float16 };
 std::size_t size_of(ScalarType type);
-const char* name_of(ScalarType type);  ///< "uint8" ... "float64"
+const char* name_of(ScalarType type);  ///< "uint8" ... "float64", "float16"
+bool is_integer(ScalarType type);
 
 /// What the finite voxels of a volume hold.
 struct VolumeStatistics {

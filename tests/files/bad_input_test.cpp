@@ -65,7 +65,7 @@ TEST_F(BadInput, ZerosAreAnsweredAtOnce) {
   fs::resize_file(write("z.nrrd", "NRRD0004\ntype: uint8\n"), std::uintmax_t(2) << 30);
   expect_error(path("z.nrrd"), {"neither an end"});
   fs::resize_file(write("z.vtk", "# vtk DataFile Version 3.0\n"), std::uintmax_t(2) << 30);
-  expect_error(path("z.vtk"), {"SCALARS"});
+  expect_error(path("z.vtk"), {"line 2"});
   EXPECT_LT(bytes_read() - before, std::size_t(64) << 20);
 }
 

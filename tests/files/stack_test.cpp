@@ -69,7 +69,7 @@ TEST_F(StackTest, MultiPageTiffKeepsItsNumbers) {
 
 TEST_F(StackTest, ColourIsTakenByComponent) {
   const std::string file = write_image("rgb.tif", OIIO::TypeFloat, 1, 2, 3);
-  expect_error(file, {"3 channels", "?component=0"});
+  expect_error(file, {"3 components (red, green, blue)", "?component=0"});
   const Volume volume = load_volume(file + "?component=2");
   EXPECT_EQ(volume.at(1, 1, 1), 211.5f);
   EXPECT_NE(volume.note.find("component 2 of 3"), std::string::npos);

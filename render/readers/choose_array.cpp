@@ -1,0 +1,36 @@
+#include "render/readers/choose_array.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "presets/error.h"
+#include "render/readers/voxel_header.h"
+
+namespace crest {
+
+std::size_t choose_array(const FileRequest& request, const std::vector<std::string>& names,
+                         const std::string& active, std::string& note) {
+  const auto place_of = [&](const std::string& name) {
+    return std::size_t(std::ranges::find(names, name) - names.begin());
+  };
+  std::size_t chosen = names.size();
+  if (const auto asked = request.query.find("array"); asked != request.query.end()) {
+    chosen = place_of(asked->second);
+    if (chosen == names.size()) {
+      throw Error(fmt::format("{}: it has no array \"{}\"; it has {}", request.name(), asked->second,
+                              fmt::join(names, ", ")));
+    }
+  } else {
+    chosen = names.size() == 1 ? 0 : place_of(active);
+  }
+  if (chosen == names.size()) {
+    throw Error(fmt::format("{}: it has {} arrays ({}), and a volume is one: take the first with ?array={}",
+                            request.name(), names.size(), fmt::join(names, ", "), names.front()));
+  }
+  if (names.size() > 1)
+    add_note(note, fmt::format("array {}, one of {}", names[chosen], fmt::join(names, ", ")));
+  return chosen;
+}
+
+}  // namespace crest

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crest {
+
+/// What a TIFF file's first page tells of all of them.
+struct TiffDescription {
+  std::string text;  ///< ImageDescription
+  double pixels_per_unit_x = 0, pixels_per_unit_y = 0;
+};
+TiffDescription describe_tiff(const std::filesystem::path& file);
+
+/// How the pages of a file follow each other: which page holds a slice of a component in a frame.
+struct PlaneOrder {
+  std::size_t components = 1, slices = 1, frames = 1;
+  std::vector<std::size_t> pages;  ///< [(frame * components + component) * slices + slice]
+  std::optional<glm::dvec3> spacing;
+  std::string note;
+};
+/// By the description of ImageJ or OME; without one all pages are slices. Throws Error, which begins with
+/// `name`, for a description that the `pages` contradict.
+PlaneOrder order_planes(const std::string& name, const TiffDescription& description, std::size_t pages);
+
+}  // namespace crest

@@ -1,0 +1,186 @@
+// ImageJ's "hyperstacks", and OME-TIFF (docs.openmicroscopy.org, ome-model, specification).
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <pugixml.hpp>
+
+#include "presets/error.h"
+#include "render/files/header_text.h"
+#include "render/readers/tiff_file.h"
+#include "render/readers/voxel_header.h"
+#include "render/volume/query.h"
+
+namespace crest {
+namespace {
+
+std::size_t place_in(const PlaneOrder& order, std::size_t component, std::size_t slice, std::size_t frame) {
+  return (frame * order.components + component) * order.slices + slice;
+}
+
+/// Where one axis alone is longer than 1, it is the volume's third one.
+void take_only_axis_as_slices(PlaneOrder& order, std::string_view components, std::string_view frames) {
+  if (order.slices > 1 || (order.components > 1) == (order.frames > 1)) return;
+  add_note(order.note, fmt::format("its {} are taken as slices", order.components > 1 ? components : frames));
+  order.slices = order.components * order.frames;
+  order.components = order.frames = 1;
+}
+
+PlaneOrder order_imagej(const std::string& name, const TiffDescription& description, std::size_t pages) {
+  std::map<std::string, std::string, std::less<>> fields;
+  const std::string text = description.text + "\n";
+  HeaderLines lines(text);
+  std::string_view line;
+  while (lines.next(line)) {
+    const std::size_t equals = line.find('=');
+    if (equals != std::string_view::npos)
+      fields.emplace(trim(line.substr(0, equals)), trim(line.substr(equals + 1)));
+  }
+  const auto count = [&](const char* key) {
+    const auto found = fields.find(key);
+    const auto value = found == fields.end() ? std::nullopt : to_integer(found->second);
+    return value && *value > 0 && *value < (1 << 24) ? std::size_t(*value) : 1;
+  };
+  PlaneOrder order;
+  order.components = count("channels"), order.slices = count("slices"), order.frames = count("frames");
+  const std::size_t planes = order.components * order.slices * order.frames;
+  if (planes == 1)
+    order.slices = pages;
+  else if (planes != pages)
+    throw Error(fmt::format(
+        "{}: its ImageJ description tells of {} images ({} channels, {} slices, {} frames), and the "
+        "file has {}",
+        name, planes, order.components, order.slices, order.frames, pages));
+  order.pages.resize(pages);
+  for (std::size_t page = 0; page < pages; ++page) {  // channels first, then slices
+    const std::size_t component = page % order.components, slice = page / order.components % order.slices;
+    order.pages[place_in(order, component, slice, page / order.components / order.slices)] = page;
+  }
+  const auto spacing = fields.find("spacing");
+  const auto z = spacing == fields.end() ? std::nullopt : to_number(spacing->second);
+  const double x = description.pixels_per_unit_x, y = description.pixels_per_unit_y;
+  const bool has_unit = fields.contains("unit") && fields["unit"] != "pixel";
+  if (z || has_unit) {
+    order.spacing = {x > 0 && has_unit ? 1 / x : 1, y > 0 && has_unit ? 1 / y : 1, z ? std::abs(*z) : 1};
+    if (has_unit) add_note(order.note, fmt::format("lengths in {}", one_line(fields["unit"])));
+  }
+  take_only_axis_as_slices(order, "channels", "frames");
+  return order;
+}
+
+/// Sizes of OME's planes, by their letters.
+struct OmeSizes {
+  std::string letters;  ///< of C, Z and T, the fastest first
+  std::map<char, std::size_t> size = {{'C', 1}, {'Z', 1}, {'T', 1}};
+};
+
+std::array<std::size_t, 3> plane_at(const OmeSizes& sizes, std::size_t number) {
+  std::map<char, std::size_t> at;
+  for (const char letter : sizes.letters) {
+    at[letter] = number % sizes.size.at(letter);
+    number /= sizes.size.at(letter);
+  }
+  return {at['C'], at['Z'], at['T']};
+}
+
+std::size_t number_of(const OmeSizes& sizes, std::size_t c, std::size_t z, std::size_t t) {
+  std::size_t number = 0, step = 1;
+  for (const char letter : sizes.letters) {
+    number += step * (letter == 'C' ? c : letter == 'Z' ? z : t);
+    step *= sizes.size.at(letter);
+  }
+  return number;
+}
+
+/// Where each plane's page is; the planes of other files are none of this one's.
+void take_tiff_data(const std::string& name, pugi::xml_node pixels, const OmeSizes& sizes, std::size_t pages,
+                    PlaneOrder& order) {
+  const std::size_t planes = order.pages.size();
+  std::vector<bool> found(planes, false);
+  const auto put = [&](std::size_t plane, std::size_t page) {
+    if (plane >= planes || page >= pages)
+      throw Error(fmt::format("{}: its OME description tells of {} planes, and the file has {} pages", name,
+                              planes, pages));
+    const auto [c, z, t] = plane_at(sizes, plane);
+    order.pages[place_in(order, c, z, t)] = page;
+    found[plane] = true;
+  };
+  const auto blocks = pixels.children("TiffData");
+  for (const pugi::xml_node block : blocks) {
+    const pugi::xml_attribute ifd = block.attribute("IFD");
+    const std::size_t first =
+        number_of(sizes, block.attribute("FirstC").as_uint(), block.attribute("FirstZ").as_uint(),
+                  block.attribute("FirstT").as_uint());
+    const std::size_t count =
+        block.attribute("PlaneCount").as_uint(ifd ? 1u : unsigned(std::min<std::size_t>(planes, 1u << 24)));
+    for (std::size_t i = 0; i < std::min(count, planes); ++i) put(first + i, ifd.as_uint() + i);
+  }
+  if (blocks.begin() == blocks.end())
+    for (std::size_t plane = 0; plane < planes; ++plane) put(plane, plane);
+  if (std::ranges::find(found, false) != found.end())
+    throw Error(
+        fmt::format("{}: its OME description tells of {} planes, some of which are in no page of this file",
+                    name, planes));
+}
+
+double in_micrometres(double length, const std::string& unit) {
+  if (unit == "nm") return length * 1e-3;
+  if (unit == "mm") return length * 1e3;
+  return length;
+}
+
+PlaneOrder order_ome(const std::string& name, const std::string& text, std::size_t pages) {
+  pugi::xml_document document;
+  document.load_buffer(text.data(), text.size());
+  const pugi::xml_node pixels = document.first_element_by_path("OME/Image/Pixels");
+  if (!pixels) throw Error(fmt::format("{}: its OME description has no pixels", name));
+  OmeSizes sizes;
+  for (const char letter : std::string_view(pixels.attribute("DimensionOrder").as_string("XYZCT")))
+    if (letter == 'C' || letter == 'Z' || letter == 'T') sizes.letters += letter;
+  if (sizes.letters.size() != 3)
+    throw Error(fmt::format("{}: its OME description has no order of dimensions", name));
+  constexpr std::size_t longest = std::size_t(1) << 20;
+  for (auto& [letter, size] : sizes.size)
+    size = std::clamp<std::size_t>(pixels.attribute(fmt::format("Size{}", letter).c_str()).as_uint(1), 1,
+                                   longest);
+  const std::size_t samples = std::max(1u, pixels.child("Channel").attribute("SamplesPerPixel").as_uint(1));
+  if (sizes.size['C'] % samples == 0) sizes.size['C'] /= samples;
+  PlaneOrder order;
+  order.components = sizes.size['C'], order.slices = sizes.size['Z'], order.frames = sizes.size['T'];
+  const std::size_t planes = order.components * order.slices * order.frames;
+  if (planes > pages)
+    throw Error(fmt::format("{}: its OME description tells of {} planes, and the file has {} pages", name,
+                            planes, pages));
+  order.pages.resize(planes);
+  take_tiff_data(name, pixels, sizes, pages, order);
+  const auto length = [&](const char* axis) {
+    const std::string key = fmt::format("PhysicalSize{}", axis);
+    const double value = pixels.attribute(key.c_str()).as_double(0);
+    return in_micrometres(value, pixels.attribute((key + "Unit").c_str()).as_string("µm"));
+  };
+  const glm::dvec3 spacing(length("X"), length("Y"), length("Z"));
+  if (spacing.x > 0 && spacing.y > 0) {
+    order.spacing = {spacing.x, spacing.y, spacing.z > 0 ? spacing.z : 1};
+    add_note(order.note, "lengths in micrometres");
+    if (!(spacing.z > 0)) add_note(order.note, "the slices' distance is not known, and taken as 1");
+  }
+  take_only_axis_as_slices(order, "channels", "frames");
+  return order;
+}
+
+}  // namespace
+
+PlaneOrder order_planes(const std::string& name, const TiffDescription& description, std::size_t pages) {
+  if (description.text.starts_with("ImageJ=")) return order_imagej(name, description, pages);
+  if (description.text.find("<OME") != std::string::npos) return order_ome(name, description.text, pages);
+  PlaneOrder order;
+  order.slices = pages;
+  order.pages.resize(pages);
+  std::iota(order.pages.begin(), order.pages.end(), std::size_t(0));
+  return order;
+}
+
+}  // namespace crest

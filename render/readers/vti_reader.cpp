@@ -1,0 +1,216 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "presets/error.h"
+#include "render/files/header_text.h"
+#include "render/readers/base64.h"
+#include "render/readers/choose_array.h"
+#include "render/readers/readers.h"
+#include "render/readers/text_voxels.h"
+#include "render/readers/voxel_reader.h"
+#include "render/readers/vti_data.h"
+
+namespace crest {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The file's text up to its appended data, and where that begins: behind the "_".
+struct VtiText {
+  std::string xml;
+  std::optional<std::uint64_t> appended = {};
+  bool appended_is_base64 = false;
+};
+
+VtiText read_text(const FileRequest& request) {
+  constexpr std::string_view mark = "<AppendedData";
+  constexpr std::size_t block = std::size_t(1) << 20;
+  std::ifstream file(request.path, std::ios::binary);
+  VtiText text;
+  std::string part(block, '\0');
+  while (file.read(part.data(), std::streamsize(block)), file.gcount() > 0) {
+    const std::size_t before = text.xml.size();
+    text.xml.append(part, 0, std::size_t(file.gcount()));
+    if (before == 0 && trim(text.xml).substr(0, 1) != "<")
+      throw Error(fmt::format("{}: not a VTK XML file: it does not begin with \"<\"", request.name()));
+    if (text.xml.size() > request.reading.memory / 4)
+      throw Error(fmt::format("{}: reading it takes more memory than there is", request.name()));
+    const std::size_t at = text.xml.find(mark, before > mark.size() ? before - mark.size() : 0);
+    if (at == std::string::npos) continue;
+    const std::size_t underscore = text.xml.find('_', text.xml.find('>', at));
+    if (underscore == std::string::npos) continue;
+    text.appended_is_base64 = text.xml.substr(at, underscore - at).find("base64") != std::string::npos;
+    text.appended = underscore + 1;
+    text.xml.resize(at);
+    text.xml += "</VTKFile>";
+    break;
+  }
+  return text;
+}
+
+ScalarType type_of(const std::string& name, const std::string& text) {
+  using enum ScalarType;
+  static const std::map<std::string_view, ScalarType> types = {
+      {"Int8", int8},     {"UInt8", uint8}, {"Int16", int16},   {"UInt16", uint16},   {"Int32", int32},
+      {"UInt32", uint32}, {"Int64", int64}, {"UInt64", uint64}, {"Float32", float32}, {"Float64", float64}};
+  const auto found = types.find(text);
+  if (found != types.end()) return found->second;
+  throw Error(
+      fmt::format("{}: an array of type \"{}\" is not read; Int8 to Float64 are", name, one_line(text)));
+}
+
+/// The numbers of an attribute; `fallback` where there is none.
+template <std::size_t count>
+std::array<double, count> numbers_of(const std::string& name, pugi::xml_node node, const char* key,
+                                     std::array<double, count> fallback) {
+  const pugi::xml_attribute attribute = node.attribute(key);
+  if (!attribute) return fallback;
+  const auto list = words(attribute.value());
+  std::array<double, count> numbers{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto value = i < list.size() ? to_number(list[i]) : std::nullopt;
+    if (!value || list.size() != count)
+      throw Error(
+          fmt::format("{}: {}=\"{}\" is not {} numbers", name, key, one_line(attribute.value()), count));
+    numbers[i] = *value;
+  }
+  return numbers;
+}
+
+VtiCoding coding_of(const std::string& name, pugi::xml_node root) {
+  VtiCoding coding;
+  coding.endian = std::string_view(root.attribute("byte_order").value()) == "BigEndian" ? std::endian::big
+                                                                                        : std::endian::little;
+  coding.header_bytes = std::string_view(root.attribute("header_type").value()) == "UInt64" ? 8 : 4;
+  const std::string compressor = root.attribute("compressor").value();
+  coding.compressed = !compressor.empty();
+  if (coding.compressed && compressor != "vtkZLibDataCompressor")
+    throw Error(fmt::format("{}: arrays compressed by {} are not read; vtkZLibDataCompressor's are", name,
+                            one_line(compressor)));
+  return coding;
+}
+
+/// The points of the piece, and the volume's geometry.
+void take_geometry(const std::string& name, pugi::xml_node image, pugi::xml_node piece, bool of_cells,
+                   VoxelHeader& header) {
+  const auto whole = numbers_of<6>(name, image, "WholeExtent", {});
+  const auto extent = numbers_of<6>(name, piece, "Extent", whole);
+  const auto origin = numbers_of<3>(name, image, "Origin", {0, 0, 0});
+  const auto spacing = numbers_of<3>(name, image, "Spacing", {1, 1, 1});
+  const auto direction = numbers_of<9>(name, image, "Direction", {1, 0, 0, 0, 1, 0, 0, 0, 1});
+  if (extent != whole) add_note(header.note, "the file holds a part of its whole extent");
+  glm::dvec3 first;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    constexpr double most = 0x1p30;
+    const double begin = extent[2 * axis], end = extent[2 * axis + 1];
+    if (!(std::abs(begin) < most && std::abs(end) < most && end >= begin))
+      throw Error(fmt::format("{}: its extent from {} to {} is none", name, begin, end));
+    const int a = int(axis);
+    header.layout.dims[a] = std::uint64_t(end - begin) + (of_cells ? 0 : 1);
+    header.spacing[a] = spacing[axis];
+    first[a] = (begin + (of_cells ? 0.5 : 0)) * spacing[axis];
+    for (std::size_t row = 0; row < 3; ++row) header.direction[a][int(row)] = direction[3 * row + axis];
+  }
+  header.origin = glm::dvec3(origin[0], origin[1], origin[2]) + header.direction * first;
+}
+
+/// The bytes of one array in the file's order; text's in the machine's, which `header` then says.
+std::vector<std::byte> read_array(const FileRequest& request, const VtiText& text, pugi::xml_node array,
+                                  const VtiCoding& coding, VoxelHeader& header) {
+  const std::string name = request.name(), format = array.attribute("format").value();
+  const std::uint64_t values = header.layout.stored_values(), bytes = values * size_of(header.type);
+  header.endian = coding.endian;
+  if (format == "ascii") {
+    header.endian = std::endian::native;
+    std::istringstream stream(array.child_value());
+    const auto at = array.first_child().offset_debug();
+    const auto line = at < 0 ? 0 : std::count(text.xml.begin(), text.xml.begin() + at, '\n');
+    WordStream stream_words(stream, std::size_t(line) + 1);
+    std::vector<std::byte> out;
+    read_numbers(name, stream_words, {header.type, values, 0, values}, out);
+    return out;
+  }
+  if (format == "binary") return read_vti_base64(name, array.child_value(), coding, bytes);
+  const auto offset = to_integer(array.attribute("offset").value());
+  if (format != "appended" || !offset || *offset < 0 || !text.appended)
+    throw Error(
+        fmt::format("{}: its array has neither data of its own nor a place in the appended data", name));
+  const std::uint64_t begin = *text.appended + std::uint64_t(*offset);
+  if (!text.appended_is_base64) return read_vti_raw(name, request.path, begin, coding, bytes);
+  std::ifstream file(request.path, std::ios::binary);
+  file.seekg(std::streamoff(begin));
+  const std::string encoded{std::istreambuf_iterator<char>(file), {}};
+  return read_vti_base64(name, encoded, coding, bytes);
+}
+
+std::vector<pugi::xml_node> arrays_in(pugi::xml_node data) {
+  std::vector<pugi::xml_node> arrays;
+  for (const pugi::xml_node array : data.children("DataArray")) arrays.push_back(array);
+  return arrays;
+}
+
+pugi::xml_node image_of(const std::string& name, const pugi::xml_document& document) {
+  const pugi::xml_node root = document.child("VTKFile");
+  const std::string type = root.attribute("type").value();
+  if (!root || type != "ImageData") {
+    throw Error(fmt::format("{}: a VTK XML file of type \"{}\" is not read; ImageData is", name,
+                            one_line(type.substr(0, 40))));
+  }
+  const pugi::xml_node image = root.child("ImageData");
+  const auto pieces = image.children("Piece");
+  const auto count = std::distance(pieces.begin(), pieces.end());
+  if (count == 1) return image;
+  throw Error(fmt::format("{}: it has {} pieces, and a volume is one: write it as one piece", name, count));
+}
+
+}  // namespace
+
+Volume read_vti(const FileRequest& request) {
+  const std::string name = request.name();
+  const VtiText text = read_text(request);
+  pugi::xml_document document;
+  if (const auto parsed = document.load_buffer(text.xml.data(), text.xml.size()); !parsed) {
+    const auto end = text.xml.begin() + std::min<std::ptrdiff_t>(parsed.offset, std::ssize(text.xml));
+    throw Error(fmt::format("{}: its XML is damaged in line {}: {}", name,
+                            std::count(text.xml.begin(), end, '\n') + 1, parsed.description()));
+  }
+  const pugi::xml_node image = image_of(name, document), piece = image.child("Piece");
+  VoxelHeader header;
+  pugi::xml_node data = piece.child("PointData");
+  std::vector<pugi::xml_node> arrays = arrays_in(data);
+  const bool of_cells = arrays.empty();
+  if (of_cells) {
+    data = piece.child("CellData");
+    arrays = arrays_in(data);
+    add_note(header.note, "the file has values of its cells, which are taken at the cells' centres");
+  }
+  if (arrays.empty()) throw Error(fmt::format("{}: the VTK file has no arrays of its points or cells", name));
+  std::vector<std::string> names;
+  for (const pugi::xml_node array : arrays) names.emplace_back(one_line(array.attribute("Name").value()));
+  const pugi::xml_node array =
+      arrays[choose_array(request, names, data.attribute("Scalars").value(), header.note)];
+
+  take_geometry(name, image, piece, of_cells, header);
+  header.type = type_of(name, array.attribute("type").value());
+  const auto components = array.attribute("NumberOfComponents").as_ullong(1);
+  header.layout = interleaved(header.layout.dims, components);
+  const VtiCoding coding = coding_of(name, document.child("VTKFile"));
+  const bool is_text = std::string_view(array.attribute("format").value()) == "ascii";
+  header.endian = is_text ? std::endian::native : coding.endian;
+  return read_voxels(request, header, ",array", [&](std::uint64_t first, std::uint64_t count) {
+    std::vector<std::byte> bytes = read_array(request, text, array, coding, header);
+    const auto size = std::ptrdiff_t(size_of(header.type));
+    bytes.erase(bytes.begin() + std::ptrdiff_t(first + count) * size, bytes.end());
+    bytes.erase(bytes.begin(), bytes.begin() + std::ptrdiff_t(first) * size);
+    return bytes;
+  });
+}
+
+}  // namespace crest

@@ -1,0 +1,191 @@
+#include <OpenImageIO/imageio.h>
+#include <fmt/core.h>
+#include <array>
+
+#include "files.h"
+#include "render/files/load.h"
+
+namespace crest::test {
+namespace {
+
+using enum ScalarType;
+using std::endian;
+
+/// An uncompressed little-endian TIFF of one strip a page.
+class TiffBytes {
+ public:
+  int bits = 8, photometric = 1, width = 4, height = 3;
+  std::string description;
+
+  std::string file(const std::vector<std::string>& pages) const {
+    std::string out = "II*";
+    out += '\0';
+    std::size_t link = out.size();
+    put(out, 0, uint32);
+    for (const std::string& data : pages) {
+      const std::size_t data_at = out.size(), text_at = data_at + data.size();
+      out += data + description + std::string(1, '\0');
+      if (out.size() % 2 != 0) out += '\0';
+      std::string here;
+      put(here, double(out.size()), uint32);
+      out.replace(link, 4, here);
+      const std::vector<std::array<double, 4>> entries = {
+          {256, 3, 1, double(width)},       {257, 3, 1, double(height)},
+          {258, 3, 1, double(bits)},        {259, 3, 1, 1},
+          {262, 3, 1, double(photometric)}, {270, 2, double(description.size() + 1), double(text_at)},
+          {273, 4, 1, double(data_at)},     {277, 3, 1, 1},
+          {278, 3, 1, double(height)},      {279, 4, 1, double(data.size())}};
+      put(out, double(entries.size()), uint16);
+      for (const auto& [tag, type, count, value] : entries) {
+        put(out, tag, uint16);
+        put(out, type, uint16);
+        put(out, count, uint32);
+        put(out, value, uint32);
+      }
+      link = out.size();
+      put(out, 0, uint32);
+    }
+    return out;
+  }
+
+ private:
+  static void put(std::string& out, double value, ScalarType type) {
+    append_value(out, value, type, endian::little);
+  }
+};
+
+class TiffValues : public FileTest {
+ protected:
+  /// Pages of 8-bit pixels: 20 page + pixel.
+  static std::vector<std::string> pages(int count) {
+    std::vector<std::string> all;
+    for (int page = 0; page < count; ++page) {
+      all.emplace_back();
+      for (int i = 0; i < 12; ++i) all.back() += char(20 * page + i);
+    }
+    return all;
+  }
+};
+
+TEST_F(TiffValues, MinIsWhiteAndPalettesKeepWhatIsStored) {
+  TiffBytes tiff;
+  for (const int photometric : {0, 1}) {
+    tiff.photometric = photometric;
+    const Volume volume = load_volume(write("a.tif", tiff.file(pages(3))));
+    EXPECT_EQ(volume.at(3, 2, 2), 51.f);
+    EXPECT_EQ(volume.note.find("MINISWHITE") != std::string::npos, photometric == 0) << volume.note;
+  }
+}
+
+TEST_F(TiffValues, NumbersOfFewBitsAreNotScaled) {
+  for (const int bits : {1, 2, 4, 10, 12, 14}) {
+    TiffBytes tiff;
+    tiff.bits = bits;
+    std::vector<std::string> packed;
+    for (int page = 0; page < 2; ++page) {
+      std::string data;
+      for (int y = 0; y < 3; ++y) {
+        std::uint64_t row = 0;
+        for (int x = 0; x < 4; ++x)
+          row = row << bits | std::uint64_t((11 * page + 4 * y + x) * 113 % (1 << bits));
+        const int bytes = (4 * bits + 7) / 8;
+        row <<= 8 * bytes - 4 * bits;
+        for (int b = bytes - 1; b >= 0; --b) data += char(row >> (8 * b) & 0xff);
+      }
+      packed.push_back(data);
+    }
+    const Volume volume = load_volume(write("few.tif", tiff.file(packed)));
+    EXPECT_EQ(volume.file_type, bits > 8 ? uint16 : uint8);
+    for (int k = 0; k < 2; ++k)
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 4; ++i)
+          EXPECT_EQ(volume.at(i, j, k), float((11 * k + 4 * j + i) * 113 % (1 << bits))) << bits;
+  }
+}
+
+TEST_F(TiffValues, ImageJsChannelsAndFramesAreTakenApart) {
+  TiffBytes tiff;
+  tiff.description =
+      "ImageJ=1.53t\nimages=12\nchannels=2\nslices=3\nframes=2\nhyperstack=true\nspacing=3\nunit=um\n";
+  const std::string file = write("hyper.tif", tiff.file(pages(12)));
+  expect_error(file, {"2 components"});
+  expect_error(file + "?component=0", {"2 frames"});
+  const Volume volume = load_volume(file + "?component=1&frame=1");
+  EXPECT_EQ(volume.grid.dims, glm::ivec3(4, 3, 3));
+  EXPECT_EQ(volume.grid.spacing.z, 3);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(volume.at(1, 0, k), float(20 * (6 + 2 * k + 1) + 1));
+  expect_error(write("few.tif", tiff.file(pages(11))), {"12 images", "11"});
+}
+
+TEST_F(TiffValues, OmesPlanesAreTakenApart) {
+  TiffBytes tiff;
+  tiff.description =
+      "<?xml version=\"1.0\"?><OME><Image><Pixels DimensionOrder=\"XYZCT\" SizeX=\"4\" SizeY=\"3\" "
+      "SizeZ=\"3\" SizeC=\"2\" "
+      "SizeT=\"1\" PhysicalSizeX=\"0.5\" PhysicalSizeY=\"0.5\" PhysicalSizeZ=\"2000\" "
+      "PhysicalSizeZUnit=\"nm\">"
+      "<TiffData/></Pixels></Image></OME>";
+  const std::string file = write("a.ome.tif", tiff.file(pages(6)));
+  expect_error(file, {"2 components"});
+  const Volume volume = load_volume(file + "?component=1");
+  EXPECT_EQ(volume.grid.spacing, glm::dvec3(0.5, 0.5, 2));
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(volume.at(1, 0, k), float(20 * (3 + k) + 1));
+  expect_error(write("b.ome.tif", tiff.file(pages(5))), {"6 planes", "5 pages"});
+}
+
+TEST_F(TiffValues, AFoldersFilesOfSeveralPagesAreJoined) {
+  const TiffBytes tiff;
+  write("f/a10.tif", tiff.file(pages(5)));
+  write("f/a2.tif", tiff.file(pages(2)));
+  const Volume volume = load_volume(path("f"));
+  EXPECT_EQ(volume.grid.dims.z, 7);
+  EXPECT_EQ(volume.at(0, 0, 2), 0.f);
+  EXPECT_EQ(volume.at(0, 0, 6), 80.f);
+  EXPECT_NE(volume.note.find("2 files with several pages"), std::string::npos) << volume.note;
+  TiffBytes wide;
+  wide.width = 3, wide.height = 4;
+  write("f/a3.tif", wide.file(pages(2)));
+  expect_error(path("f"), {"a3.tif", "3x4"});
+}
+
+TEST_F(TiffValues, DataThatIsShorterThanPromisedIsRefused) {
+  const TiffBytes tiff;
+  std::vector<std::string> cut = pages(3);
+  cut[1].resize(7);
+  expect_error(write("short.tif", tiff.file(cut)), {"page 2"});
+}
+
+TEST_F(TiffValues, NetpbmsGreatestValueScalesNothing) {
+  for (int page = 0; page < 2; ++page) {
+    write(fmt::format("pgm/{}.pgm", page),
+          fmt::format("P2\n# a comment\n3 2\n4095\n0 457 1 2 {} 4095\n", page));
+    std::string binary = "P5 3 2 1000\n";
+    for (const int v : {0, 457, 1, 2, page, 1000}) append_value(binary, v, uint16, endian::big);
+    write(fmt::format("binary/{}.pgm", page), binary);
+  }
+  for (const char* folder : {"pgm", "binary"}) {
+    const Volume volume = load_volume(path(folder));
+    EXPECT_EQ(volume.at(1, 0, 0), 457.f) << folder;
+    EXPECT_EQ(volume.at(1, 1, 1), 1.f) << folder;
+  }
+}
+
+TEST_F(TiffValues, PngsAlphaMultipliesNothing) {
+  for (int page = 0; page < 2; ++page) {
+    const std::string file = write(fmt::format("png/{}.png", page), "");
+    const auto out = OIIO::ImageOutput::create(file);
+    OIIO::ImageSpec spec(2, 2, 4, OIIO::TypeUInt8);
+    spec["oiio:UnassociatedAlpha"] = 1;
+    spec.alpha_channel = 3;
+    ASSERT_TRUE(out->open(file, spec));
+    const std::vector<std::uint8_t> pixels = {200, 1, 2, 10, 201, 1, 2, 0, 202, 1, 2, 128, 203, 1, 2, 255};
+    ASSERT_TRUE(out->write_image(OIIO::TypeUInt8, pixels.data()));
+    out->close();
+  }
+  const Volume volume = load_volume(path("png") + "?component=0");
+  EXPECT_EQ(volume.at(0, 0, 0), 200.f);
+  EXPECT_EQ(volume.at(1, 0, 0), 201.f);
+}
+
+}  // namespace
+}  // namespace crest::test

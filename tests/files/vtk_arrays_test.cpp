@@ -1,0 +1,154 @@
+#include <fmt/core.h>
+#include <zlib.h>
+
+#include "files.h"
+#include "render/files/load.h"
+
+namespace crest::test {
+namespace {
+
+using enum ScalarType;
+using std::endian;
+
+std::string legacy(const std::string& form, const std::string& rest) {
+  return fmt::format(
+      "# vtk DataFile Version 3.0\nx\n{}\nDATASET STRUCTURED_POINTS\nDIMENSIONS 5 4 3\nORIGIN 0 0 0\nSPACING "
+      "1 2 3\n{}",
+      form, rest);
+}
+
+std::string numbers(int count, int first) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += fmt::format("{} ", first + i);
+  return text + "\n";
+}
+
+class VtkArrays : public FileTest {};
+
+TEST_F(VtkArrays, CellsAndFieldsBeforeThePointsScalars) {
+  const std::string rest = "CELL_DATA 24\nSCALARS c float 1\nLOOKUP_TABLE default\n" + numbers(24, 500) +
+                           "POINT_DATA 60\nFIELD FieldData 2\nf 1 60 double\n" + numbers(60, 1000) +
+                           "v 3 60 float\n" + numbers(180, 2000) + "SCALARS d short\nLOOKUP_TABLE default\n" +
+                           numbers(60, 0);
+  const std::string file = write("a.vtk", legacy("ASCII", rest));
+  const Volume volume = load_volume(file);
+  EXPECT_EQ(volume.values[59], 59.f);
+  EXPECT_NE(volume.note.find("array d, one of f, v, d"), std::string::npos) << volume.note;
+  EXPECT_EQ(load_volume(file + "?array=f").values[1], 1001.f);
+  EXPECT_EQ(load_volume(file + "?array=v&component=2").values[1], 2005.f);
+  expect_error(file + "?array=w", {"no array \"w\"", "f, v, d"});
+}
+
+TEST_F(VtkArrays, BinaryOnesAreSteppedOver) {
+  std::string rest = "POINT_DATA 60\nVECTORS v short\n" + std::string(360, '\n') +
+                     "\nSCALARS d short 1\nLOOKUP_TABLE default\n";
+  const Volume volume = load_volume(write("b.vtk", legacy("BINARY", rest + voxel_bytes(int16, endian::big))));
+  for (int i = 0; i < 60; ++i) EXPECT_EQ(volume.values[std::size_t(i)], float(stored_value(int16, i)));
+}
+
+TEST_F(VtkArrays, WhereNothingSaysWhichTheyAreListed) {
+  const std::string rest =
+      "POINT_DATA 60\nFIELD FieldData 2\np 1 60 float\n" + numbers(60, 0) + "q 1 60 float\n" + numbers(60, 9);
+  expect_error(write("a.vtk", legacy("ASCII", rest)), {"2 arrays (p, q)", "?array=p"});
+  const Volume cells = load_volume(write(
+      "c.vtk", legacy("ASCII", "CELL_DATA 24\nSCALARS c float 1\nLOOKUP_TABLE default\n" + numbers(24, 0))));
+  EXPECT_EQ(cells.grid, (Grid{{4, 3, 2}, {1, 2, 3}, {0.5, 1, 1.5}}));
+}
+
+std::string base64(const std::string& bytes) {
+  static const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned bits = 0;
+    for (std::size_t j = 0; j < 3; ++j)
+      bits = bits << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
+    for (std::size_t j = 0; j < 4; ++j)
+      text += i + j > bytes.size() ? '=' : digits[bits >> (18 - 6 * j) & 63];
+  }
+  return text;
+}
+
+std::string length(std::uint64_t value, bool wide, endian order) {
+  std::string bytes;
+  append_value(bytes, double(value), wide ? uint64 : uint32, order);
+  return bytes;
+}
+
+/// The array compressed in two blocks: what says their lengths, and they themselves.
+std::pair<std::string, std::string> compressed(const std::string& bytes, bool wide, endian order) {
+  const std::size_t block = 100;
+  std::string head = length((bytes.size() + block - 1) / block, wide, order) + length(block, wide, order) +
+                     length(bytes.size() % block, wide, order);
+  std::string data;
+  for (std::size_t i = 0; i < bytes.size(); i += block) {
+    const std::string part = bytes.substr(i, block);
+    uLongf size = compressBound(part.size());
+    std::string packed(size, '\0');
+    compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(part.data()),
+             part.size());
+    head += length(size, wide, order);
+    data += packed.substr(0, size);
+  }
+  return {head, data};
+}
+
+std::string vti(const std::string& attributes, const std::string& array, const std::string& after = "") {
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" " + attributes +
+         ">\n<ImageData WholeExtent=\"2 6 0 3 0 2\" Origin=\"10 20 30\" Spacing=\"1 2 3\">\n"
+         "<Piece Extent=\"2 6 0 3 0 2\">\n<PointData Scalars=\"d\">\n" +
+         array + "\n</PointData>\n</Piece>\n</ImageData>\n" + after + "</VTKFile>\n";
+}
+
+TEST_F(VtkArrays, XmlInEachOfItsForms) {
+  int files = 0;
+  for (const bool wide : {false, true}) {
+    for (const endian order : {endian::little, endian::big}) {
+      for (const bool packed : {false, true}) {
+        const std::string bytes = voxel_bytes(int16, order);
+        const auto [head, data] =
+            packed ? compressed(bytes, wide, order) : std::pair(length(bytes.size(), wide, order), bytes);
+        const std::string attributes = fmt::format("byte_order=\"{}Endian\" header_type=\"UInt{}\"{}",
+                                                   order == endian::big ? "Big" : "Little", wide ? 64 : 32,
+                                                   packed ? " compressor=\"vtkZLibDataCompressor\"" : "");
+        const std::string text = packed ? base64(head) + base64(data) : base64(head + data);
+        const std::string open = "<DataArray type=\"Int16\" Name=\"d\" ";
+        for (const std::string& content :
+             {vti(attributes, open + "format=\"binary\">\n  " + text + "\n</DataArray>"),
+              vti(attributes, open + "format=\"appended\" offset=\"3\"/>",
+                  "<AppendedData encoding=\"raw\">\n_xyz" + head + data + "\n</AppendedData>\n"),
+              vti(attributes, open + "format=\"appended\" offset=\"4\"/>",
+                  "<AppendedData encoding=\"base64\">\n_AAAA" + text + "\n</AppendedData>\n")}) {
+          SCOPED_TRACE(content.substr(0, 600));
+          const Volume volume = load_volume(write("v.vti", content));
+          EXPECT_EQ(volume.grid, (Grid{{5, 4, 3}, {1, 2, 3}, {12, 20, 30}}));
+          for (int i = 0; i < 60; ++i)
+            ASSERT_EQ(volume.values[std::size_t(i)], float(stored_value(int16, i)));
+          ++files;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(files, 24);
+}
+
+TEST_F(VtkArrays, XmlAsTextAndWhatIsWrongWithIt) {
+  const std::string open = "<DataArray type=\"Float32\" Name=\"d\" format=\"ascii\">\n";
+  const std::string other =
+      "<DataArray type=\"Float32\" Name=\"e\" format=\"ascii\">" + numbers(60, 9) + "</DataArray>";
+  const Volume volume = load_volume(write("t.vti", vti("", open + numbers(60, 0) + "</DataArray>" + other)));
+  EXPECT_EQ(volume.values[59], 59.f);
+  EXPECT_NE(volume.note.find("array d, one of d, e"), std::string::npos) << volume.note;
+  expect_error(write("u.vti", vti("", open + numbers(59, 0) + "</DataArray>")), {"promises 60"});
+  expect_error(write("u.vti", vti("", open + "1 2 x</DataArray>")), {"\"x\"", "line 7"});
+  expect_error(write("u.vti", vti("", other + other).replace(0, 200, "")), {"u.vti"});
+  expect_error(write("u.vti", vti("compressor=\"vtkLZ4DataCompressor\"",
+                                  "<DataArray type=\"Int8\" Name=\"d\" "
+                                  "format=\"binary\">AAAA</DataArray>")),
+               {"vtkLZ4DataCompressor"});
+  expect_error(
+      write("u.vti", vti("", "<DataArray type=\"Int8\" Name=\"d\" format=\"binary\">AAAA</DataArray>")),
+      {"u.vti", "array"});
+}
+
+}  // namespace
+}  // namespace crest::test
