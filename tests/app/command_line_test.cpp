@@ -1,6 +1,7 @@
 #include <map>
 
 #include "program.h"
+#include "tests/paths.h"
 
 namespace crest::test {
 namespace {
