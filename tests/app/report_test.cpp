@@ -156,13 +156,13 @@ TEST_F(ReportTest, WrongCommandLines) {
   expect_error(2, {"report", "-o", path("out")}, {"VOLUME", "--study"});
   expect_error(2, {"report", "builtin:sphere?n=8"}, {"--output"});
   expect_error(2, {"report", "builtin:sphere?n=8", "-o", ""}, {"--output"});
-  for (const char* budget : {"soon", "0s", "0", "-1", "-1s", "1e9", "1d", "", "nan", "99999999999s"})
+  for (const char* budget : {"soon", "0s", "0", "-1", "-1s", "1e9", "1d", "nan", "99999999999s"})
     expect_error(2, report_to("out") + Words{"--budget", budget}, {"--budget", budget, "90s", "none"});
   expect_error(2, report_to("out") + Words{"--target-error", "psnr=30"},
                {"psnr=30", "share=0.001", "rmse", "flip"});
-  for (const char* size : {"huge", "0x0", "0x8", "-8x8", "8", "1e3x8", ""})
+  for (const char* size : {"huge", "0x0", "0x8", "-8x8", "8", "1e3x8"})
     expect_error(2, {"report", "builtin:sphere?n=8", "--size", size, "-o", path("out")}, {size, "512x512"});
-  expect_error(1, {"report", "builtin:sphere?n=8", "--size", "20000x8", "-o", path("out")},
+  expect_error(2, {"report", "builtin:sphere?n=8", "--size", "20000x8", "-o", path("out")},
                {"20000x8", "1..16384"});
   expect_error(2, {"report", "--study", "bogus", "-o", path("out")}, {"bogus", "study"});
   expect_error(2, {"report", "--study", "placement", "--budget", "9s", "-o", path("out")},
