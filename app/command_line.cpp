@@ -1,13 +1,18 @@
 #include "app/command_line.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <new>
+#include <optional>
+#include <utility>
 
 #include "app/commands.h"
 #include "presets/error.h"
@@ -36,16 +41,27 @@ constexpr const char* usage =
     "stack), or builtin:NAME?key=value&... (crest list volumes).\n"
     "Exit codes: 0 done; 1 the work failed; 2 the command line is wrong.\n\n";
 
+/// A closed standard stream would be the next file that is opened, and be printed into. What goes to stdout
+/// then is an error; what goes to stderr is lost.
+void open_standard_streams() {
+  for (const auto& [stream, mode] :
+       {std::pair(STDIN_FILENO, O_WRONLY), {STDOUT_FILENO, O_RDONLY}, {STDERR_FILENO, O_WRONLY}}) {
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", mode);  // the lowest number that is free
+  }
+}
+
 /// What was printed is out, or it is an error (a full disk).
 void flush_output() {
-  if (std::fflush(stdout) != 0)
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw Error(fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
 }
 
 }  // namespace
 
-int run_command_line(int argc, char** argv, const std::string& version) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its writer
+namespace {
+
+/// The exit code.
+int read_and_run(int argc, char** argv, const std::string& version) {
   CommandLine line({description, usage, "crest " + version});
   const Options options = line.options();
   Action chosen;
@@ -60,11 +76,20 @@ int run_command_line(int argc, char** argv, const std::string& version) {
   add_import_command(options, chosen);
   add_match_command(options, chosen);
   add_list_command(options, chosen);
+  const std::optional<int> exit_code = line.read(argc, argv);
+  if (!exit_code) chosen();
+  flush_output();
+  return exit_code.value_or(0);
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv, const std::string& version) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its writer
+  open_standard_streams();
+  ::setenv("EGL_LOG_LEVEL", "fatal", 0);  // what cannot be drawn with is said in our words
   try {
-    if (const auto exit_code = line.read(argc, argv)) return *exit_code;
-    chosen();
-    flush_output();
-    return 0;
+    return read_and_run(argc, argv, version);
   } catch (const UsageError& error) {
     report(fmt::format("{} (see crest --help)", error.what()));
     return 2;

@@ -68,6 +68,7 @@ ComparedPictures compare_exactly(const std::vector<Scene>& scenes, const Camera&
 
 void compare_modes(const CompareOptions& options) {
   const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
+  require_output(options.picture);
   const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
   const Preset preset = options.picture.with_exact(options.scene.read_preset(*volume, aspect), true);
   std::vector<Scene> scenes;

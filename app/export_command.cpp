@@ -9,6 +9,7 @@
 #include "app/offscreen_context.h"
 #include "app/scene_options.h"
 #include "app/sources.h"
+#include "presets/atomic_file.h"
 #include "presets/error.h"
 #include "presets/exchange/exporters.h"
 #include "presets/exchange/table.h"
@@ -74,17 +75,29 @@ ExportPreview draw_preview(const ExportCommandOptions& options, const Exporter& 
   return preview;
 }
 
+/// An export does not hold all that a preset does.
+void require_other_file(const ExportCommandOptions& options, const fs::path& output) {
+  std::error_code ignored;
+  if (fs::equivalent(options.preset, output, ignored))
+    throw UsageError("--output", output.string() + " is the preset itself, which would be lost");
+}
+
 void export_preset(const ExportCommandOptions& options) {
   const Exporter& exporter = find_exporter(options.format);
   Preset preset = load_preset(options.preset);
   if (preset.name.empty()) preset.name = fs::path(options.preset).stem().string();
   if (!options.preview.empty() && options.volume.empty()) throw UsageError("--preview", "needs a --volume");
+  require_other_file(options, options.output);
+  require_writable(options.output);
+  if (!options.preview.empty()) require_picture_file(options.preview);
   std::shared_ptr<const Volume> volume;
   if (!options.volume.empty()) volume = std::make_shared<const Volume>(load_volume(options.volume));
   const ExportInput input =
       export_input(preset, volume.get(), rows_of(options.samples),
                    stem_of(options.output, exporter.extension), pixels_of(options.size));
   const Exported exported = exporter.write(input);
+  for (const ExportFile& file : exported.files)
+    require_other_file(options, path_of(options.output, input.stem, file));
   std::optional<ExportPreview> preview;
   if (!options.preview.empty()) preview = draw_preview(options, exporter, input, volume);
   write_export(exported, input.stem, options.output);

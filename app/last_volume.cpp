@@ -12,9 +12,10 @@ TransferFunction LastVolume::carried_to(ValueRange to, const VolumeValues* value
   return in_domain(data, domain, to);
 }
 
-LastVolume last_volume(const Volume& volume, const TransferFunction& tf, const VolumeValues* values) {
+LastVolume last_volume(const Volume& volume, const std::string& source, const TransferFunction& tf,
+                       const VolumeValues* values) {
   const ValueRange range = volume.statistics.range;
-  LastVolume last{volume.name, in_domain(tf, Domain::data, range), range, {}};
+  LastVolume last{volume.name, in_domain(tf, Domain::data, range), range, source, volume.grid.dims, {}};
   if (values) last.distribution = values->distribution;
   return last;
 }

@@ -12,6 +12,8 @@ struct LastVolume {
   std::string name;
   TransferFunction tf;  ///< in data values
   ValueRange range;
+  std::string source;  ///< to be read again
+  glm::ivec3 dims{0};
   std::optional<ValueDistribution> distribution;  ///< where it was measured
 
   /// The TF for a volume of this range, in the domain that is asked for. By histogram only where the values
@@ -20,6 +22,7 @@ struct LastVolume {
 };
 
 /// `values`: null where they are not measured.
-LastVolume last_volume(const Volume& volume, const TransferFunction& tf, const VolumeValues* values);
+LastVolume last_volume(const Volume& volume, const std::string& source, const TransferFunction& tf,
+                       const VolumeValues* values);
 
 }  // namespace crest

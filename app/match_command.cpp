@@ -2,10 +2,12 @@
 
 #include "app/commands.h"
 #include "app/sources.h"
+#include "presets/atomic_file.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
 #include "presets/preset_file.h"
 #include "render/files/load.h"
+#include "render/volume/fit_values.h"
 #include "render/volume/match_values.h"
 #include "ui/edit_points.h"
 
@@ -17,21 +19,47 @@ struct MatchOptions {
   bool json = false;
 };
 
-void match(const MatchOptions& options) {
-  Preset preset = load_preset(options.preset);
-  TransferFunction& tf = preset.transfer_function;
+struct Carried {
+  TransferFunction before, after;  ///< in data values
+  ValueRange to;                   ///< the other volume's
+  std::optional<ValueFit> fit;     ///< of least squares
+};
+
+Carried carry(const TransferFunction& tf, const MatchOptions& options) {
+  Carried carry;
+  if (options.by == "least-squares") {
+    const Volume from = load_volume(options.from), to = load_volume(options.to);
+    carry.before = in_domain(tf, Domain::data, from.statistics.range);
+    carry.to = to.statistics.range;
+    carry.fit = fit_values(from, to);
+    carry.after = carried(carry.before, *carry.fit);
+    return carry;
+  }
   const ValueDistribution from = distribution_of(load_volume(options.from)),
                           to = distribution_of(load_volume(options.to));
-  const TransferFunction before = in_domain(tf, Domain::data, from.range);
-  const TransferFunction after =
-      carried(before, from, to, options.by == "range" ? CarryBy::range : CarryBy::histogram);
-  tf = in_domain(after, tf.domain, to.range);
+  carry.before = in_domain(tf, Domain::data, from.range);
+  carry.to = to.range;
+  carry.after = carried(carry.before, from, to, options.by == "range" ? CarryBy::range : CarryBy::histogram);
+  return carry;
+}
+
+void match(const MatchOptions& options) {
+  require_writable(options.output);  // before the volumes are read
+  Preset preset = load_preset(options.preset);
+  TransferFunction& tf = preset.transfer_function;
+  const Carried carried = carry(tf, options);
+  tf = in_domain(carried.after, tf.domain, carried.to);
   save_preset(options.output, preset);
   if (!options.json) return;
   auto values = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < before.points.size(); ++i)
-    values.push_back({{"from", before.points[i].value}, {"to", after.points[i].value}});
-  fmt::print("{}", print_json({{"file", options.output}, {"values", values}}));
+  const std::size_t count = carried.before.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t to = carried.fit && carried.fit->is_decreasing ? count - 1 - i : i;
+    values.push_back({{"from", carried.before.points[i].value}, {"to", carried.after.points[to].value}});
+  }
+  nlohmann::ordered_json report{{"file", options.output}, {"values", values}};
+  if (carried.fit) report["explained"] = carried.fit->explained;
+  fmt::print("{}", print_json(report));
 }
 
 }  // namespace
@@ -54,8 +82,9 @@ void add_match_command(Options app, Action& chosen) {
   command.add("-o,--output", options->output, "The preset to write").required().type_name("PRESET");
   command
       .add("--by", options->by,
-           "histogram: a value goes to that with as many voxels below it; range: by the ranges' ends")
-      .one_of({"histogram", "range"})
+           "histogram: a value goes to that with as many voxels below it; range: by the ranges' ends; "
+           "least-squares: by what both have at the same places of one grid")
+      .one_of({"histogram", "range", "least-squares"})
       .shows_default();
   command.add_flag("--json", options->json, "Say on the standard output as JSON where each point went");
   command.add_example("crest match four-peaks --from builtin:noise --to builtin:gyroid -o gyroid.json");

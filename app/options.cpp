@@ -33,12 +33,13 @@ void add_help_and_config(CLI::App& app, CommandRow& command) {
   add_row(app.get_help_ptr(), command, "-h,--help", "Print this", none, "");
 }
 
-/// The options before a command are the program's own; the command would pass them over.
+/// The options before a command are the program's own; the command would pass them over. --no-config is for
+/// all.
 void require_none_before_command(const CLI::App& app) {
   if (app.get_subcommands().empty()) return;
   const std::string command = app.get_subcommands().front()->get_name();
   for (const CLI::Option* option : app.get_options())
-    if (option->count() > 0)
+    if (option->count() > 0 && !option->check_name("--no-config"))
       throw UsageError(option->get_name(),
                        fmt::format("is given before the command; what is for {0} comes after {0}", command));
 }
@@ -135,8 +136,10 @@ Options Options::add_command(const std::string& name, const std::string& help, c
 
 void Options::add_example(const std::string& line) { command_->examples.push_back(line); }
 
+// An empty value is a variable of a script that has none, and would be taken for an option that is not there.
 Option Options::add(const std::string& names, std::string& value, const std::string& help) {
-  return add_row(app_->add_option(names, value), *command_, names, help, &value, "TEXT");
+  Option option = add_row(app_->add_option(names, value), *command_, names, help, &value, "TEXT");
+  return names.starts_with('-') ? option.not_empty() : option;
 }
 
 Option Options::add(const std::string& names, int& value, const std::string& help) {
@@ -144,9 +147,9 @@ Option Options::add(const std::string& names, int& value, const std::string& hel
 }
 
 Option Options::add(const std::string& names, std::vector<std::string>& values, const std::string& help) {
-  const Option option = add_row(app_->add_option(names, values), *command_, names, help, &values, "TEXT");
+  Option option = add_row(app_->add_option(names, values), *command_, names, help, &values, "TEXT");
   command_->options.back().may_repeat = true;
-  return option;
+  return option.not_empty();
 }
 
 void Options::add_flag(const std::string& names, bool& value, const std::string& help) {

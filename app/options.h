@@ -92,8 +92,8 @@ class CommandLine {
 
   Options options();
   /// Calls what is to be called (Options::when_read). Where only the help or the version was asked for,
-  /// prints it and returns the exit code. Throws UsageError.
-  std::optional<int> read(int argc, char** argv);
+  /// prints it and returns false. Throws UsageError.
+  bool read(int argc, char** argv);
 
  private:
   std::unique_ptr<CLI::App> app_;

@@ -68,8 +68,10 @@ void print_peaks(const PeaksOptions& options) {
   const Classification found = classify(tf, range);
   auto peaks = nlohmann::ordered_json::array();
   for (const Peak& peak : found.peaks) peaks.push_back(peak_json(peak));
+  const PeakTable table =
+      build_peak_table(found.surfaces, range, bins);  // before anything is printed: it has a limit
   fmt::print("{{\n  \"peaks\": {},\n", peaks.dump());
-  print_table(build_peak_table(found.surfaces, range, bins), found.surfaces);
+  print_table(table, found.surfaces);
   fmt::print("}}\n");
 }
 

@@ -47,6 +47,14 @@ void print_whole(const std::string& content) {
 
 }  // namespace
 
+void require_output(const PictureOptions& options) {
+  if (options.is_to_stdout()) return;
+  if (options.format.empty())
+    require_picture_file(options.output);
+  else
+    require_writable(options.output);
+}
+
 void write_picture(const PictureOptions& options, const Image& image, glm::vec3 background,
                    const std::string& preset) {
   const fs::path output = options.output;

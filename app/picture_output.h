@@ -12,4 +12,7 @@ namespace crest {
 void write_picture(const PictureOptions& options, const Image& image, glm::vec3 background,
                    const std::string& preset = {});
 
+/// Throws Error where write_picture could not write, before there is a picture.
+void require_output(const PictureOptions& options);
+
 }  // namespace crest

@@ -27,6 +27,15 @@ constexpr std::size_t largest = std::size_t(40) << 20;  // bytes: more than a pr
 
 fs::path lock_of(fs::path file) { return file.replace_extension(".lock"); }
 
+bool can_be_read(const RecoveryFile& file) {
+  try {
+    file.read();
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
 /// Names sort by the time at which they were made.
 fs::path new_name(const fs::path& folder, int attempt) {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -79,15 +88,19 @@ std::vector<RecoveryFile> RecoveryFile::left_behind(const fs::path& folder) {
   std::sort(names.rbegin(), names.rend());
 
   std::vector<RecoveryFile> found;
+  std::size_t readable = 0;
   for (fs::path& name : names) {
     auto lock = FileLock::take(lock_of(name));
     if (!lock) continue;  // of a program that runs
     RecoveryFile file(std::move(name), std::move(*lock));
+    const bool is_readable = can_be_read(file);
     // Whoever held it may have removed it just now
-    if (found.size() == most_recoveries || !fs::exists(file.path_, error))
+    if (!fs::exists(file.path_, error) || (is_readable && readable == most_recoveries)) {
       file.remove();
-    else
-      found.push_back(std::move(file));
+      continue;
+    }
+    readable += is_readable;
+    found.push_back(std::move(file));
   }
   return found;
 }

@@ -39,7 +39,8 @@ class RecoveryFile {
   explicit RecoveryFile(const std::filesystem::path& folder);
 
   /// Those that no running program holds, the newest first; from here on this one does. Of more than
-  /// most_recoveries the oldest are removed. A folder that is not there has none.
+  /// most_recoveries that can be read the oldest are removed; others - damaged, of another version - stay. A
+  /// folder that is not there has none.
   static std::vector<RecoveryFile> left_behind(const std::filesystem::path& folder);
 
   /// Throws Error; the file is then as it was.

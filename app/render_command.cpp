@@ -123,8 +123,11 @@ void render_as_chosen(Scene scene, const Camera& camera, const RenderOptions& al
 
 using SharedVolume = std::shared_ptr<const Volume>;
 
+/// What is wrong with the size, or with where the picture goes, is found before any work.
 SharedVolume read_volume(const RenderOptions& options) {
-  options.picture.pixels();  // a wrong size is found before any work
+  options.picture.pixels();
+  require_output(options.picture);
+  if (!options.error_bound.empty()) require_picture_file(options.error_bound);
   return std::make_shared<const Volume>(load_volume(options.scene.volume));
 }
 

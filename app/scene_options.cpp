@@ -148,7 +148,8 @@ void PictureOptions::add_to(Options options) {
   options.add("--frames", frames, "Frames to time; the statistics have their median")
       .in(1, 100000)
       .shows_default();
-  options.add("--device", device, "Graphics device (crest list devices); hardware first by default");
+  options.add("--device", device, "Graphics device (crest list devices); hardware first by default")
+      .in(0, 1000);
   options.add_flag("--exact", exact,
                    "By the exact march: no crossing missed, whatever the preset's step and classification");
   options.add_flag("--json", json, "Print statistics as JSON");
@@ -177,7 +178,11 @@ glm::ivec2 pixels_of(const std::string& size) {
   if (!std::regex_match(size, match, form))
     throw UsageError("--size", fmt::format("'{}' is not WIDTHxHEIGHT, as in 512x512", size));
   const glm::ivec2 pixels(std::stoi(match[1]), std::stoi(match[2]));
-  gl::require_size(pixels);
+  try {
+    gl::require_size(pixels);
+  } catch (const Error& error) {
+    throw UsageError("--size", error.what());
+  }
   return pixels;
 }
 

@@ -85,7 +85,8 @@ void add_stability_command(Options app, Action& chosen) {
   command.add("--size", options->size, "Width x height of its pictures, which are square")
       .shows_default()
       .type_name("WxH");
-  command.add("--device", options->device, "Graphics device (crest list devices); hardware first by default");
+  command.add("--device", options->device, "Graphics device (crest list devices); hardware first by default")
+      .in(0, 1000);
   command.add_flag("--json", options->json, "Print the table as JSON");
   command.add_example("crest stability -o stability");
   command.when_read([options, &chosen] { chosen = [options] { run_stability(*options); }; });

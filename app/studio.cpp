@@ -26,6 +26,8 @@ Studio::Studio(Document document, FitPreset fit, std::filesystem::path shader_fo
       fit_(std::move(fit)),
       views_(std::move(shader_folder), program_folder()),
       thumbnails_(thumbnail_folder()),
+      thumbnail_maker_(
+          [this](const std::string& key, const Thumbnail& thumbnail) { thumbnails_.write(key, thumbnail); }),
       own_presets_(own_preset_folder()),
       autosave_(recovery_folder()) {
   mark_saved();
@@ -159,7 +161,8 @@ StudioInputs Studio::inputs(bool close_requested) {
     inputs.suggested = values->suggested;
   }
   if (last_volume_)
-    inputs.carry_over = CarryOver{last_volume_->name, last_volume_->distribution && matters_.values()};
+    inputs.carry_over = CarryOver{last_volume_->name, last_volume_->distribution && matters_.values(),
+                                  last_volume_->dims == loaded_.volume->grid.dims};
   inputs.visibility = matters_.visibility();
   inputs.visibility_is_old = matters_.is_visibility_old();
   inputs.why_no_values = matters_.why_no_values();
@@ -214,6 +217,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   take_thumbnails();
   take_saved_picture();
   take_raw_preview();
+  take_place_match();
   StudioInputs shown;
   try {
     shown = inputs(close_requested);

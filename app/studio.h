@@ -13,6 +13,7 @@
 #include "app/export_picture.h"
 #include "app/last_volume.h"
 #include "app/picture_maker.h"
+#include "app/place_match.h"
 #include "app/preset_folder.h"
 #include "app/raw_preview.h"
 #include "app/ray_inspector.h"
@@ -54,7 +55,7 @@ class Studio {
   bool wants_to_quit() const { return quit_; }
   bool is_loading() const { return loader_.is_loading(); }  ///< a volume is being read
   /// Whether a thread reads on, although nobody waits for it: VolumeLoader::has_thread.
-  bool leaves_thread() const { return loader_.has_thread(); }
+  bool leaves_thread() const { return loader_.has_thread() || place_match_.has_thread(); }
   bool is_drawing() const {
     return views_.is_busy() || rays_.is_busy();
   }                                            ///< a view, or the inspected ray, is not done
@@ -62,12 +63,13 @@ class Studio {
   /// Something of the work in the background may come up soon, has come up.
   bool is_measuring() const {
     return sweep_.is_active() || choice_.is_running() || matters_.is_active() || thumbnail_maker_.is_busy() ||
-           picture_maker_.is_busy() || raw_preview_.is_busy();
+           picture_maker_.is_busy() || raw_preview_.is_busy() || place_match_.is_busy();
   }
   bool has_news() const {
     const auto now = BackgroundSweep::Clock::now();
     return sweep_.has_news(now) || choice_.has_news() || matters_.has_news(now) ||
-           thumbnail_maker_.has_news() || picture_maker_.has_news() || raw_preview_.has_news();
+           thumbnail_maker_.has_news() || picture_maker_.has_news() || raw_preview_.has_news() ||
+           place_match_.has_news();
   }
   std::string title() const;
   const Document& document() const { return document_; }
@@ -136,6 +138,7 @@ class Studio {
   void save_ray_to(const std::filesystem::path& path);
   void update_difference(const StudioRequests& requests, bool interactive);
   void carry_over(CarryBy by);
+  void take_place_match();
   void update_slices(const StudioRequests& requests);
   void update_matters(const StudioRequests& requests, bool interactive);
   glm::ivec2 own_view(const StudioRequests& requests) const;
@@ -164,6 +167,7 @@ class Studio {
   BackgroundChoice choice_;
   WhatMatters matters_;
   std::optional<LastVolume> last_volume_;
+  PlaceMatch place_match_;
   SlicePictures slices_;
   std::vector<Imported> imported_;  ///< from imported_from_, while the person chooses
   std::string imported_from_;

@@ -21,6 +21,7 @@
 #include "presets/number_text.h"
 #include "presets/preset_file.h"
 #include "presets/printable.h"
+#include "render/files/file_request.h"
 #include "render/files/load.h"
 
 namespace crest {
@@ -175,8 +176,16 @@ void run_without_display(StudioOptions options) {
 
 namespace {
 
+/// A preset may stand where the volume does, as when one is opened from a file manager.
+void take_preset_for_volume(SceneOptions& scene) {
+  std::error_code ignored;
+  if (!scene.preset.empty() || extension_of(scene.volume) != ".json") return;
+  if (std::filesystem::is_regular_file(scene.volume, ignored)) std::swap(scene.preset, scene.volume);
+}
+
 void add_studio_options(Options to, StudioOptions& options) {
-  to.add("VOLUME", options.scene.volume, "What to open").offers(builtin_sources());
+  to.add("VOLUME", options.scene.volume, "What to open; a preset's .json may stand here, too")
+      .offers(builtin_sources());
   options.scene.add_to(to);
   to.add_flag("--watch", options.watch,
               "Take over the preset whenever its file changes, while nothing is unsaved here");
@@ -204,13 +213,17 @@ void add_studio(Options app, Action& chosen) {
   add_studio_options(app, *options);
   app.when_read([options, run, &chosen, app] {
     if (app.has_command()) return;
+    take_preset_for_volume(options->scene);
     if (!options->scene.volume.empty()) expect_volume(app.table(), options->scene.volume);
     chosen = run;
   });
   Options command = app.add_command("window", "The studio; also without this word: crest [VOLUME]", "Look");
   command.add_example("crest head.nrrd --preset dirac-shell");
   add_studio_options(command, *options);
-  command.when_read([run, &chosen] { chosen = run; });
+  command.when_read([options, run, &chosen] {
+    take_preset_for_volume(options->scene);
+    chosen = run;
+  });
 }
 
 }  // namespace crest

@@ -15,6 +15,7 @@
 #include "render/files/file_request.h"
 #include "render/files/image.h"
 #include "render/scene/export_input.h"
+#include "ui/edit_points.h"
 #include "ui/shown_values.h"
 #include "ui/studio_state.h"
 
@@ -79,16 +80,34 @@ void Studio::cancel_loading() {
 
 void Studio::carry_over(CarryBy by) {
   if (!last_volume_ || !loaded_.volume) return;
+  place_match_.cancel();
+  if (by == CarryBy::places) {
+    say(fmt::format("Comparing {} with {} ...", last_volume_->name, loaded_.volume->name));
+    return place_match_.start(last_volume_->source, loaded_.volume);
+  }
   TransferFunction& tf = document_.preset.transfer_function;
   tf = last_volume_->carried_to(loaded_.volume->statistics.range, matters_.values(), by, tf.domain);
   ui_->editor.visible.reset();
   say(fmt::format("Carried over from {}", last_volume_->name));
 }
 
+void Studio::take_place_match() {
+  const auto outcome = place_match_.take();
+  if (!outcome || !last_volume_ || !loaded_.volume) return;
+  if (!outcome->fit) return say(outcome->error, true);
+  TransferFunction& tf = document_.preset.transfer_function;
+  tf = in_domain(carried(last_volume_->tf, *outcome->fit), tf.domain, loaded_.volume->statistics.range);
+  ui_->editor.visible.reset();
+  say(fmt::format("Carried over from {}, whose values tell {:.3g} % of the variance here", last_volume_->name,
+                  100 * outcome->fit->explained));
+}
+
 /// Its TF may be carried over to the next one; what was made of it goes.
 void Studio::leave_volume() {
+  place_match_.cancel();
   if (!loading_for_document_ && loaded_.volume)
-    last_volume_ = last_volume(*loaded_.volume, document_.preset.transfer_function, matters_.values());
+    last_volume_ =
+        last_volume(*loaded_.volume, loaded_.source, document_.preset.transfer_function, matters_.values());
   rays_.forget();
   slices_.forget();
   ui_->ray = {};

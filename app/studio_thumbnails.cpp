@@ -42,13 +42,17 @@ void Studio::keep_thumbnails() {
   }
   if (texture == 0) return;
   const Thumbnail thumbnail = thumbnail_of_texture(GLuint(texture));
-  thumbnails_.put(recent_key(loaded_.source), thumbnail);
-  if (!document_.preset_path.empty()) thumbnails_.put(recent_key(document_.preset_path.string()), thumbnail);
+  const auto put = [&](const std::string& key) {
+    thumbnails_.show(key, thumbnail);
+    thumbnail_maker_.keep(key, thumbnail);
+  };
+  put(recent_key(loaded_.source));
+  if (!document_.preset_path.empty()) put(recent_key(document_.preset_path.string()));
 }
 
 /// Before the panels are drawn, so that they show them.
 void Studio::take_thumbnails() {
-  for (const ThumbnailMaker::Made& made : thumbnail_maker_.take()) thumbnails_.put(made.key, made.thumbnail);
+  for (const ThumbnailMaker::Made& made : thumbnail_maker_.take()) thumbnails_.show(made.key, made.thumbnail);
 }
 
 void Studio::want_thumbnails(const StudioRequests& requests) {

@@ -72,8 +72,15 @@ ThumbnailMaker::Draw ThumbnailMaker::draw_offscreen() {
       [offscreen = std::make_shared<Offscreen>()](const ThumbnailJob& job) { return offscreen->draw(job); };
 }
 
-ThumbnailMaker::ThumbnailMaker(std::function<Draw()> make_draw) : make_draw_(std::move(make_draw)) {}
+ThumbnailMaker::ThumbnailMaker(Keep keep, std::function<Draw()> make_draw)
+    : keep_(std::move(keep)), make_draw_(std::move(make_draw)) {}
 ThumbnailMaker::~ThumbnailMaker() { thread_.request_stop(); }
+
+/// The lock is held.
+void ThumbnailMaker::start() {
+  if (!thread_.joinable()) thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+  wake_.notify_all();
+}
 
 void ThumbnailMaker::want(std::vector<ThumbnailJob> jobs) {
   const std::scoped_lock lock(mutex_);
@@ -83,14 +90,19 @@ void ThumbnailMaker::want(std::vector<ThumbnailJob> jobs) {
     if (job.key != drawing_ && !is_made && std::ranges::find(failed_, job.key) == failed_.end())
       waiting_.push_back(std::move(job));
   }
-  if (waiting_.empty() || is_working_) return;
-  is_working_ = true;
-  thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+  if (!waiting_.empty()) start();
+}
+
+void ThumbnailMaker::keep(std::string key, Thumbnail thumbnail) {
+  if (!keep_) return;
+  const std::scoped_lock lock(mutex_);
+  to_keep_.push_back({std::move(key), std::move(thumbnail)});
+  start();
 }
 
 bool ThumbnailMaker::is_busy() const {
   const std::scoped_lock lock(mutex_);
-  return is_working_ || !made_.empty();
+  return !waiting_.empty() || !drawing_.empty() || !made_.empty();
 }
 
 bool ThumbnailMaker::has_news() const {
@@ -105,31 +117,63 @@ std::vector<ThumbnailMaker::Made> ThumbnailMaker::take() {
 
 std::optional<ThumbnailJob> ThumbnailMaker::next_job(const std::stop_token& stop) {
   const std::scoped_lock lock(mutex_);
-  drawing_.clear();
-  is_working_ = !waiting_.empty() && !stop.stop_requested();
-  if (!is_working_) return std::nullopt;
+  if (stop.stop_requested()) waiting_.clear();
+  if (waiting_.empty()) return std::nullopt;
   ThumbnailJob job = std::move(waiting_.front());
   waiting_.pop_front();
   drawing_ = job.key;
   return job;
 }
 
+std::optional<ThumbnailMaker::Made> ThumbnailMaker::next_to_keep() {
+  const std::scoped_lock lock(mutex_);
+  if (to_keep_.empty()) return std::nullopt;
+  Made next = std::move(to_keep_.front());
+  to_keep_.pop_front();
+  return next;
+}
+
+void ThumbnailMaker::draw(const Draw& draw, const ThumbnailJob& job) {
+  std::optional<Thumbnail> thumbnail;
+  try {
+    thumbnail = draw(job);
+    if (keep_) keep_(job.key, *thumbnail);
+  } catch (const std::exception&) {
+    // The place for it stays empty
+  }
+  const std::scoped_lock lock(mutex_);
+  drawing_.clear();
+  if (thumbnail)
+    made_.push_back({job.key, std::move(*thumbnail)});
+  else
+    failed_.push_back(job.key);
+}
+
+/// What there is to do; the context goes when nothing is left to draw.
+void ThumbnailMaker::work_off(const std::stop_token& stop) {
+  Draw draw_one;
+  for (;;) {
+    while (const auto kept = next_to_keep()) keep_(kept->key, kept->thumbnail);
+    const auto job = next_job(stop);
+    if (!job) return;
+    draw(
+        [&](const ThumbnailJob& wanted) {
+          if (!draw_one) draw_one = make_draw_();
+          return draw_one(wanted);
+        },
+        *job);
+  }
+}
+
 void ThumbnailMaker::work(const std::stop_token& stop) {
   lower_thread_priority();
-  Draw draw;
-  while (const auto job = next_job(stop)) {
-    std::optional<Thumbnail> thumbnail;
-    try {
-      if (!draw) draw = make_draw_();
-      thumbnail = draw(*job);
-    } catch (const std::exception&) {
-      // The place for it stays empty
+  for (bool goes_on = true; goes_on;) {
+    {
+      std::unique_lock lock(mutex_);
+      wake_.wait(lock, stop, [&] { return !waiting_.empty() || !to_keep_.empty(); });
+      goes_on = !stop.stop_requested();
     }
-    const std::scoped_lock lock(mutex_);
-    if (thumbnail)
-      made_.push_back({job->key, std::move(*thumbnail)});
-    else
-      failed_.push_back(job->key);
+    work_off(stop);
   }
 }
 

@@ -37,8 +37,11 @@ std::uintptr_t ThumbnailStore::texture(const std::string& key) {
   return found->second.id();
 }
 
-void ThumbnailStore::put(const std::string& key, const Thumbnail& thumbnail) {
+void ThumbnailStore::show(const std::string& key, const Thumbnail& thumbnail) {
   textures_.insert_or_assign(key, upload(thumbnail));
+}
+
+void ThumbnailStore::write(const std::string& key, const Thumbnail& thumbnail) const {
   if (!folder_.empty()) write_cached(file_of(key), png_of(thumbnail), most_bytes);
 }
 

@@ -19,7 +19,10 @@ class ThumbnailStore {
 
   /// An ImTextureID, row 0 at the top; 0 where there is none.
   std::uintptr_t texture(const std::string& key);
-  void put(const std::string& key, const Thumbnail& thumbnail);
+  /// Shows it from now on; write() keeps it.
+  void show(const std::string& key, const Thumbnail& thumbnail);
+  /// Into its file, for the next start. Any thread may call it, without a context.
+  void write(const std::string& key, const Thumbnail& thumbnail) const;
 
  private:
   std::filesystem::path file_of(const std::string& key) const;

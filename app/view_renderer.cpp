@@ -88,6 +88,7 @@ void ViewRenderer::work(const std::array<ViewRequest, picture_count>& requests, 
     if (is_same_picture && view.shown_stage == full) view.shown_stage = preview;
     view.is_counted = view.is_counted && is_same_picture;
     view.full.reset();
+    view.counting.reset();
     const bool keep = view.pass && view.pass->coarseness > 1 && view.pass->request.size == view.wanted.size &&
                       view.pass->request.scene.volume == view.wanted.scene.volume;
     if (!keep) view.pass.reset();
@@ -100,12 +101,13 @@ void ViewRenderer::work(const std::array<ViewRequest, picture_count>& requests, 
   const auto spent_ms = [&] {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   };
+  take_counts();
   for (take_times(); spent_ms() + queued_ms() < budget_ms; take_times()) {
     View* view = next_view();
     if (!view) break;
     try {
       if (!view->pass && is_done(*view)) {
-        count_costs(*view);
+        begin_counting(*view);
         continue;
       }
       if (!view->pass) {
@@ -132,6 +134,7 @@ void ViewRenderer::give_up(View& view, std::string why) {
   view.shown_stage = full;
   view.shown_coarseness = 1;
   view.is_counted = true;
+  view.counting.reset();
   view.full.reset();
 }
 
@@ -176,7 +179,7 @@ ViewRenderer::View* ViewRenderer::next_view() {
     const int rank = view.shown_version != view.wanted_version ? 0
                      : view.shown_stage == coarse              ? 1
                      : view.shown_stage == preview             ? 2
-                     : !view.is_counted                        ? 3
+                     : !view.is_counted && !view.counting      ? 3
                                                                : 4;
     if (rank < best_rank) {
       best = &view;
@@ -265,21 +268,41 @@ void ViewRenderer::finish_pass(View& view) {
   if (pass.stage == full) view.full = std::move(pass.target);
 }
 
-void ViewRenderer::count_costs(View& view) {
+void ViewRenderer::begin_counting(View& view) {
   gl::RenderTarget target(coarse_size(view.wanted.size, count_coarseness), true);
-  view.counts = sum_of(renderer_.draw_counts(view.wanted.scene, view.wanted.camera, target));
-  tell_if_nothing_is_visible(view, target.read_color());
-  if (!keeps_colors_) view.full.reset();
-  view.is_counted = true;
+  PendingCounts counts = renderer_.begin_counts(view.wanted.scene, view.wanted.camera, target);
+  view.counting.emplace(Counting{
+      std::move(counts), gl::PendingRead(target, gl::PendingRead::What::color), {}, view.wanted.size});
 }
 
-// The small picture may miss what is as small as its pixels.
-void ViewRenderer::tell_if_nothing_is_visible(View& view, const Image& small) {
+void ViewRenderer::take_counts() {
+  for (View& view : views_) try {
+      if (view.counting) take_counts(view);
+    } catch (const std::exception& error) {
+      give_up(view, error.what());
+    }
+}
+
+// The small picture may miss what is as small as its pixels: where it shows nothing, the one in full is read.
+void ViewRenderer::take_counts(View& view) {
+  Counting& counting = *view.counting;
+  if (!counting.counts.is_over() || !counting.small.is_over()) return;
   const Scene& scene = view.wanted.scene;
   const glm::vec3 background(scene.rendering.background);
-  if (has_visible_pixel(small, background) || !view.full) return;
-  if (!has_visible_pixel(view.full->read_color(), background))
-    view.nothing_visible = why_nothing_is_visible(scene, view.wanted.camera, view.wanted.size);
+  if (!counting.full) {
+    view.counts = sum_of(counting.counts.take());
+    const Image small{coarse_size(view.wanted.size, count_coarseness), counting.small.color()};
+    if (!has_visible_pixel(small, background) && view.full)
+      counting.full.emplace(*view.full, gl::PendingRead::What::color);
+  }
+  if (counting.full) {
+    if (!counting.full->is_over()) return;
+    if (!has_visible_pixel({counting.full_size, counting.full->color()}, background))
+      view.nothing_visible = why_nothing_is_visible(scene, view.wanted.camera, view.wanted.size);
+  }
+  if (!keeps_colors_) view.full.reset();
+  view.is_counted = true;
+  view.counting.reset();
 }
 
 const gl::RenderTarget* ViewRenderer::colors(int index) const {
@@ -328,6 +351,7 @@ void ViewRenderer::invalidate() {
   for (View& view : views_) {
     view.pass.reset();
     view.is_counted = false;
+    view.counting.reset();
     ++view.wanted_version;
   }
 }

@@ -77,6 +77,13 @@ class ViewRenderer {
     Stage stage = full;
     bool is_first = false, is_last = false;  ///< of its pass
   };
+  /// What a small picture costs, and whether anything is to be seen, in it or in the one in full.
+  struct Counting {
+    PendingCounts counts;
+    gl::PendingRead small;
+    std::optional<gl::PendingRead> full;  ///< where the small one shows nothing
+    glm::ivec2 full_size;
+  };
   struct View {
     ViewRequest wanted;
     std::vector<std::string> warnings;  ///< of `wanted`, with the notes on it
@@ -93,6 +100,7 @@ class ViewRenderer {
     PictureNeed need;
     RenderCounts counts;
     bool is_counted = false;
+    std::optional<Counting> counting;  ///< while the device counts
     /// The picture in full, until it is known whether it shows anything, or as long as colours are kept.
     std::unique_ptr<gl::RenderTarget> full;
   };
@@ -109,8 +117,9 @@ class ViewRenderer {
   void draw_slice(View& view, double slice_ms);
   void show_rows(const Pass& pass, gl::DisplayTexture& display, int first_row, int last_row);
   void finish_pass(View& view);
-  void count_costs(View& view);
-  void tell_if_nothing_is_visible(View& view, const Image& small);
+  void begin_counting(View& view);
+  void take_counts();
+  void take_counts(View& view);
   void give_up(View& view, std::string why);  ///< what cannot be drawn is not tried again until it changes
 
   Renderer renderer_;

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-struct GLFWwindow;
+#include "ui/theme.h"
 
-#include "ui/palette.h"
+struct GLFWwindow;
 
 namespace crest {
 

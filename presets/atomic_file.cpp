@@ -6,6 +6,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <utility>
@@ -97,10 +100,28 @@ fs::path link_target(fs::path path) {
   return path;
 }
 
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
+
+/// Takes away what saves left in the folder whose programs were killed: of processes that are no more, and an
+/// hour old, since those of another machine may be in one's folder too.
+void sweep(const fs::path& folder) {
+  constexpr std::chrono::hours old{1};
+  std::error_code fault;
+  for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end; entry.increment(fault)) {
+    const std::string name = entry->path().filename().string();
+    int process = 0, attempt = 0;
+    if (std::sscanf(name.c_str(), ".crest-%d-%d", &process, &attempt) != 2 || process <= 0) continue;
+    const bool is_over = ::kill(process, 0) != 0 && errno == ESRCH;
+    std::error_code ignored;
+    if (is_over && entry->is_regular_file(ignored) &&
+        fs::file_time_type::clock::now() - entry->last_write_time(ignored) > old)
+      fs::remove(entry->path(), ignored);
+  }
+}
+
 /// So that the new name too survives a power failure. Not every file system can; the content is safe already.
 void sync_folder(const fs::path& file) {
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int fd = ::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (fd < 0) return;
   ::fsync(fd);
   ::close(fd);
@@ -125,6 +146,7 @@ void write_file_atomically(const fs::path& path, const std::function<void(const 
   file.close();
   temporary.rename_to(target);
   sync_folder(target);
+  sweep(folder_of(target));
 }
 
 void write_file_atomically(const fs::path& path, std::string_view content) {
@@ -133,6 +155,19 @@ void write_file_atomically(const fs::path& path, std::string_view content) {
     file.write(content);
     file.close();
   });
+}
+
+void require_writable(const fs::path& path) {
+  struct stat existing {};
+  if (::stat(path.c_str(), &existing) == 0) {
+    if (S_ISDIR(existing.st_mode)) fail_writing(path, EISDIR);
+    if (::access(path.c_str(), W_OK) != 0) fail_writing(path, errno);
+    if (!S_ISREG(existing.st_mode)) return;
+  }
+  const fs::path folder = folder_of(link_target(path));
+  if (::stat(folder.c_str(), &existing) != 0) fail_writing(path, errno);
+  if (!S_ISDIR(existing.st_mode)) fail_writing(path, ENOTDIR);
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail_writing(path, errno);
 }
 
 std::string read_file(const fs::path& path, std::size_t size_limit) {

@@ -17,6 +17,9 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view c
 void write_file_atomically(const std::filesystem::path& path,
                            const std::function<void(const std::filesystem::path& temporary)>& write);
 
+/// Throws Error where write_file_atomically() would at once: no folder, no permission, a folder of that name.
+void require_writable(const std::filesystem::path& path);
+
 /// The whole file. Throws Error when it cannot be read, is a folder, or is larger than `size_limit` bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t size_limit);
 

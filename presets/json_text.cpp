@@ -133,7 +133,7 @@ void print_spread(const Json& json, std::size_t indent, std::string& out) {
 
 Json parse_json(std::string_view text) {
   if (const std::size_t zero = text.find('\0'); zero != text.npos)  // the parser would take it for the end
-    throw Error(fmt::format("byte {} is zero, which no JSON has", zero + 1));
+    throw Error(fmt::format("parse error at byte {}: it is zero, which no JSON has", zero + 1));
   Guard guard;
   Json::sax_parse(text, &guard);
   return Json::parse(text);

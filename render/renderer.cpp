@@ -44,9 +44,16 @@ std::vector<PixelCounts> Renderer::draw_counts(const Scene& scene, const Camera&
   if (!is_drawn_by_vdls(scene)) return raycaster_.draw_counts(scene, camera, target);
   draw(scene, camera, target);
   std::vector<PixelCounts> pixels;
-  for (const glm::uvec4 counts : target.read_counts())
-    pixels.push_back({counts.x, counts.y, 0, 0, bool(counts.w >> 31)});
+  add_counts(pixels, target.read_counts(), CountsOf::layers, true);
   return pixels;
+}
+
+PendingCounts Renderer::begin_counts(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
+  if (!is_drawn_by_vdls(scene)) return raycaster_.begin_counts(scene, camera, target);
+  draw(scene, camera, target);
+  PendingCounts pending{CountsOf::layers, {}};
+  pending.passes.emplace_back(target, gl::PendingRead::What::counts);
+  return pending;
 }
 
 PictureNeed Renderer::need(const Scene& scene, const Camera& camera, glm::ivec2 size) {

@@ -24,6 +24,9 @@ class Renderer {
   /// The whole picture, with the costs of each pixel. `target` has counts.
   std::vector<PixelCounts> draw_counts(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
 
+  /// The same of a small picture, without waiting for the device.
+  PendingCounts begin_counts(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
+
   /// What a picture of this size is made from.
   PictureNeed need(const Scene& scene, const Camera& camera, glm::ivec2 size);
   /// What the TF brings in this scene; it stays valid until the next draw or call with another scene.

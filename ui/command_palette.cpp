@@ -123,14 +123,16 @@ std::vector<PaletteRow> palette_rows(const ActionContext& context, std::string_v
     return rows;
   }
   struct Found {
+    bool can_be_done;
     int score;
     std::size_t length, row;
   };
   std::vector<Found> found;
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (const auto score = match_score(typed, rows[i].title))
-      found.push_back({*score, rows[i].title.size(), i});
+      found.push_back({rows[i].why_not.empty(), *score, rows[i].title.size(), i});
   std::ranges::stable_sort(found, [](const Found& a, const Found& b) {
+    if (a.can_be_done != b.can_be_done) return a.can_be_done;
     return a.score != b.score ? a.score > b.score : a.length < b.length;
   });
   std::vector<PaletteRow> best;

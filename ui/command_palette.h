@@ -12,8 +12,8 @@ struct PaletteRow {
   std::string why_not;  ///< it cannot be chosen
 };
 
-/// What fits what was typed, the best first; where nothing was typed all there is, and first of it what was
-/// chosen last.
+/// What fits what was typed, the best first, what cannot be done last; where nothing was typed all there is,
+/// and first of it what was chosen last.
 std::vector<PaletteRow> palette_rows(const ActionContext& context, std::string_view typed);
 
 /// The window in which any action is found by its name. Returns whether it changed the document.

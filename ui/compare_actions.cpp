@@ -19,8 +19,10 @@ std::string needs_volume(const ActionContext& c) { return c.inputs.volume ? "" :
 /// With what it is compared with already, or the next view.
 bool compare(ViewsState& views, ComparisonKind kind) {
   const int view = subject(views);
-  if (!compares_view(views, view))
-    views.comparison = Comparison{.view = view, .with = views.contents[std::size_t((view + 1) % view_count)]};
+  if (!compares_view(views, view)) {
+    const int next = (view + 1) % view_count;
+    views.comparison = Comparison{.view = view, .with = views.contents[std::size_t(next)], .follows = next};
+  }
   views.comparison->kind = kind;
   return false;
 }

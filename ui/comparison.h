@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "ui/view_content.h"
 
@@ -15,8 +16,9 @@ inline constexpr double blink_s = 0.5;
 
 /// A view beside another picture of the same volume, from the same camera.
 struct Comparison {
-  int view = 0;      ///< the one that is compared
-  ViewContent with;  ///< the other
+  int view = 0;                ///< the one that is compared
+  ViewContent with;            ///< the other
+  std::optional<int> follows;  ///< the view that it is, also when that changes
   ComparisonKind kind = ComparisonKind::divider;
   float divider = 0.5F;      ///< its place, as a share of the width
   double amplification = 8;  ///< of a difference: 1 / this is white

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "presets/preset_file.h"
 #include "render/scene/exact.h"
 #include "ui/actions.h"
 #include "ui/style.h"
@@ -39,25 +40,28 @@ std::string difference_text(const Comparison& comparison, const DifferencePictur
                      difference.rmse, difference.max, 100 * difference.share);
 }
 
-void choose_other(ViewsState& views, int index, const ViewContent& with) {
+void choose_other(ViewsState& views, int index, const ViewContent& with, std::optional<int> follows = {}) {
   Comparison comparison = views.comparison.value_or(Comparison{});
   comparison.view = index;
   comparison.with = with;
+  comparison.follows = follows;
   views.comparison = comparison;
 }
 
 void other_items(int index, StudioState& state, const StudioInputs& inputs, const Preset& preset) {
   ViewsState& views = state.views;
   const ViewContent& own = views.contents[std::size_t(index)];
-  const auto item = [&](const std::string& text, const std::string& name, const ViewContent& with) {
-    const bool is_chosen = compares_view(views, index) && views.comparison->with == with;
-    if (ImGui::MenuItem(text.c_str(), nullptr, is_chosen)) choose_other(views, index, with);
+  const auto item = [&](const std::string& text, const std::string& name, const ViewContent& with,
+                        std::optional<int> follows = {}) {
+    const bool is_chosen = compares_view(views, index) && views.comparison->follows == follows &&
+                           (follows || views.comparison->with == with);
+    if (ImGui::MenuItem(text.c_str(), nullptr, is_chosen)) choose_other(views, index, with, follows);
     note_item(state.widgets, name);
   };
   for (int i = 0; i < view_count; ++i)
     if (i != index)
       item(fmt::format("View {}: {}", i + 1, text_of(views.contents[std::size_t(i)])),
-           fmt::format("with view{}", i), views.contents[std::size_t(i)]);
+           fmt::format("with view{}", i), views.contents[std::size_t(i)], i);
   ViewContent exact = own, as_set = own;
   exact.picture = ShownPicture::exact;
   as_set.picture = ShownPicture::as_set;
@@ -67,7 +71,7 @@ void other_items(int index, StudioState& state, const StudioInputs& inputs, cons
   if (has_exact && shown != ShownPicture::as_set) item("Its picture as set", "with as set", as_set);
   if (ImGui::BeginMenu("Another preset")) {
     ViewContent other = compares_view(views, index) ? views.comparison->with : own;
-    if (other_preset_menu(state, inputs, preset, other)) choose_other(views, index, other);
+    if (other_preset_menu(state, inputs, preset, other, {index, true})) choose_other(views, index, other);
     ImGui::EndMenu();
   }
   note_item(state.widgets, "with preset");
@@ -87,6 +91,22 @@ std::shared_ptr<const OtherPreset> take_snapshot(ViewsState& views, const Preset
   views.snapshots.push_back(std::make_shared<const OtherPreset>(OtherPreset{name, preset}));
   if (views.snapshots.size() > most_snapshots) views.snapshots.erase(views.snapshots.begin());
   return views.snapshots.back();
+}
+
+void take_other_preset(ViewsState& views, const std::string& file) {
+  try {
+    const auto other = std::make_shared<const OtherPreset>(OtherPreset{file_name(file), load_preset(file)});
+    ViewContent& own = views.contents[std::size_t(views.preset_for.view)];
+    if (!views.preset_for.is_compared) {
+      own.other = other;
+      return;
+    }
+    ViewContent with = compares_view(views, views.preset_for.view) ? views.comparison->with : own;
+    with.other = other;
+    choose_other(views, views.preset_for.view, with);
+  } catch (const std::exception& error) {
+    views.error = error.what();
+  }
 }
 
 bool compares_view(const ViewsState& views, int index) {

@@ -7,6 +7,10 @@ namespace crest {
 /// Keeps the document's preset to be compared with; the newest 16 stay.
 std::shared_ptr<const OtherPreset> take_snapshot(ViewsState& views, const Preset& preset);
 
+/// The preset of this file for the part of the views that a file dialog was opened for; what is wrong with it
+/// goes to ViewsState::error.
+void take_other_preset(ViewsState& views, const std::string& file);
+
 /// Whether the view is the one that is compared.
 bool compares_view(const ViewsState& views, int index);
 

@@ -94,6 +94,13 @@ std::vector<Action> carry_entries(const ActionContext& c) {
   entries.back().why_not = [](const ActionContext& context) {
     return context.inputs.carry_over->knows_values ? "" : "the values of one volume are not known";
   };
+  add("By the same places",
+      "By least squares: a value goes to what the volume has on average where the last one has the value.\n"
+      "For two volumes of the same thing on the same grid",
+      CarryBy::places);
+  entries.back().why_not = [](const ActionContext& context) {
+    return context.inputs.carry_over->same_grid ? "" : "the volumes have not the same number of points";
+  };
   add("By range", "Least to least, greatest to greatest value", CarryBy::range);
   add("As values", "The same numbers", CarryBy::value);
   return entries;

@@ -27,6 +27,7 @@ constexpr std::string_view table_extension[] = {".csv"};
 constexpr std::string_view picture_extensions[] = {".png", ".exr"};
 const Wording wordings[] = {{"Open a volume", "Open", {}},
                             {"Open a preset", "Open", preset_extensions()},
+                            {"A preset for a view", "Show", own_extension},
                             {"Save the preset", "Save", own_extension},
                             {"Export to a file", "Export", {}},
                             {"Save the ray as a table", "Save", table_extension},
@@ -34,9 +35,7 @@ const Wording wordings[] = {{"Open a volume", "Open", {}},
 
 const Wording& wording(FilePurpose purpose) { return wordings[int(purpose)]; }
 
-bool writes(FilePurpose purpose) {
-  return purpose != FilePurpose::open_volume && purpose != FilePurpose::open_preset;
-}
+bool writes(FilePurpose purpose) { return purpose >= FilePurpose::save_preset; }
 
 std::string lower(std::string text) {
   for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));

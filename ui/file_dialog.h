@@ -10,7 +10,15 @@
 
 namespace crest {
 
-enum class FilePurpose { open_volume, open_preset, save_preset, export_preset, save_ray, save_picture };
+enum class FilePurpose {
+  open_volume,
+  open_preset,
+  view_preset,  ///< shown in a view, beside the one that is edited
+  save_preset,
+  export_preset,
+  save_ray,
+  save_picture
+};
 
 /// A modal window that lets a person choose a file.
 struct FileDialog {

@@ -89,10 +89,11 @@ void help_window(StudioState& state) {
   if (!ImGui::BeginPopupModal(name, &open, ImGuiWindowFlags_NoResize)) return;
   const float height = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing() - scaled(4);
   ImGui::BeginChild("keys", {scaled(360), height}, false, ImGuiWindowFlags_NavFlattened);
-  for (int i = 0; i < section_count; ++i) keys_of(state.widgets, Section(i));
+  for (int i = 0; i < menu_count; ++i) keys_of(state.widgets, Section(i));
   ImGui::EndChild();
   ImGui::SameLine();
   ImGui::BeginChild("mouse", {0, height}, false, ImGuiWindowFlags_NavFlattened);
+  for (int i = menu_count; i < section_count; ++i) keys_of(state.widgets, Section(i));
   mouse_list();
   ImGui::EndChild();
   if (default_button("Close", {scaled(104), 0}) || key_pressed(key::escape)) ImGui::CloseCurrentPopup();

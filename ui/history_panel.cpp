@@ -11,28 +11,31 @@
 namespace crest {
 namespace {
 
-void what_is_not_saved(const Document& document, const StudioInputs& inputs) {
+void what_is_not_saved(const Document& document, StudioState& state, const StudioInputs& inputs) {
   heading("Changed since it was saved");
   if (!inputs.unsaved_changes)
     ImGui::TextDisabled("Nothing: it is as in %s", preset_label(document).c_str());
   else if (!inputs.saved)
     ImGui::TextDisabled("All of it: it stands in no file yet");
   else
-    change_list(*inputs.saved, document.preset, 6);
+    change_list(state.changes, *inputs.saved, document.preset, 6);
 }
 
 }  // namespace
 
-void change_list(const Preset& saved, const Preset& now, std::size_t most) {
-  std::vector<std::string> changes = changes_since(saved, now);
-  if (changes.empty()) changes.emplace_back("Keys of the file that Crest does not know");
+void change_list(ChangeList& list, const Preset& saved, const Preset& now, std::size_t most) {
+  if (list.sentences.empty() || list.saved != saved || list.now != now) {
+    list = {saved, now, changes_since(saved, now)};
+    if (list.sentences.empty()) list.sentences.emplace_back("Keys of the file that Crest does not know");
+  }
+  const std::vector<std::string>& changes = list.sentences;
   const std::size_t shown = changes.size() > most ? most - 1 : changes.size();
   for (std::size_t i = 0; i < shown; ++i) ImGui::BulletText("%s", changes[i].c_str());
   if (shown < changes.size()) ImGui::TextDisabled("and %zu more", changes.size() - shown);
 }
 
 bool history_panel(Document& document, StudioState& state, const StudioInputs& inputs) {
-  what_is_not_saved(document, inputs);
+  what_is_not_saved(document, state, inputs);
   ImGui::Spacing();
   heading("Steps");
   ImGui::SameLine();

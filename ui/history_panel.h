@@ -4,8 +4,9 @@
 
 namespace crest {
 
-/// The sentences of changes_since() as a list, at most `most` of them; says how many more there are.
-void change_list(const Preset& saved, const Preset& now, std::size_t most);
+/// The sentences of changes_since() as a list, at most `most` of them; says how many more there are. They are
+/// made anew where either preset is another than in the last frame.
+void change_list(ChangeList& list, const Preset& saved, const Preset& now, std::size_t most);
 
 /// What differs from the saved preset, and every step that can be gone to. Returns whether it changed the
 /// document.

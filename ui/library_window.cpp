@@ -22,7 +22,7 @@ bool named_button(WidgetState& widgets, const char* text, const char* meaning = 
   return pressed;
 }
 
-/// The field for words, and a button for each tag that there is.
+/// The field for words, and a button for each tag that there is, in as many rows as they take.
 void search_row(StudioState& state, std::span<const LibraryEntry> entries) {
   LibraryState& library = state.library;
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
@@ -32,10 +32,10 @@ void search_row(StudioState& state, std::span<const LibraryEntry> entries) {
   std::set<std::string> tags;
   for (const LibraryEntry& entry : entries) tags.insert(entry.tags.begin(), entry.tags.end());
   for (const std::string& tag : tags) {
-    ImGui::SameLine();
     const bool is_on = library.tag == tag;
     const float width = ImGui::CalcTextSize(tag.c_str()).x + scaled(16);
-    if (ImGui::GetContentRegionAvail().x < width) break;
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
     if (ImGui::Selectable(tag.c_str(), is_on, ImGuiSelectableFlags_DontClosePopups, {width - scaled(8), 0}))
       library.tag = is_on ? "" : tag;
     note_item(state.widgets, "library tag/" + tag);

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-namespace crest {
+#include "ui/theme.h"
 
-enum class Theme { dark, light };
+namespace crest {
 
 /// The colours of one theme.
 struct Palette {

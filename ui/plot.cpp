@@ -195,12 +195,12 @@ void draw_peaks(ImDrawList& list, const Plot& plot, const TransferFunction& tf, 
     const std::string text = short_text((first.value + last.value) / 2);
     const float width = ImGui::CalcTextSize(text.c_str()).x, height = ImGui::GetFontSize();
     // Above the diamond, or beside it where the plot ends.
-    const bool above = y - scaled(10) - height > plot.low.y;
-    const float beside = x + scaled(10) + width < plot.high.x ? x + scaled(10) : x - scaled(10) - width;
+    const bool above = y - scaled(15) - height > plot.low.y;
+    const float beside = x + scaled(15) + width < plot.high.x ? x + scaled(15) : x - scaled(15) - width;
     const float left =
         above ? std::clamp(x - width / 2, plot.low.x + 2, std::max(plot.low.x + 2, plot.high.x - width - 2))
               : beside;
-    const float top = above ? y - scaled(9) - height : y - height / 2;
+    const float top = above ? y - scaled(14) - height : y - height / 2;
     const bool overlaps = left < taken_high.x + scaled(6) && top < taken_high.y && top + height > taken_low.y;
     if (overlaps) continue;
     taken_low = {left, top};

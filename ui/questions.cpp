@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "ui/comparison_view.h"
 #include "ui/history_panel.h"
 #include "ui/style.h"
 
@@ -59,7 +60,7 @@ void unsaved_question(Document& document, StudioState& state, const StudioInputs
   center_next_window();
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
   ImGui::Text("%s has changes that are not saved:", preset_label(document).c_str());
-  if (inputs.saved) change_list(*inputs.saved, document.preset, 8);
+  if (inputs.saved) change_list(state.changes, *inputs.saved, document.preset, 8);
   ImGui::Spacing();
   const ImVec2 size{scaled(104), 0};
   const auto button = [&](const char* text, bool is_default = false) {
@@ -87,6 +88,39 @@ void unsaved_question(Document& document, StudioState& state, const StudioInputs
   ImGui::EndPopup();
 }
 
+void saving_question(StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
+  const bool is_saving = !inputs.saving.empty();
+  if (requests.quit && is_saving) {
+    requests.quit = false;
+    state.quits_when_saved = true;
+  }
+  if (!state.quits_when_saved) return;
+  constexpr const char* title = "A picture is being saved";
+  if (is_saving && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  center_next_window();
+  if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+  requests.animates = true;  // how far it is
+  ImGui::TextUnformatted(inputs.saving.c_str());
+  ImGui::TextUnformatted("Crest quits when it is done.");
+  ImGui::Spacing();
+  const ImVec2 size{scaled(104), 0};
+  const bool quits = ImGui::Button("Quit anyway", size);
+  note_item(state.widgets, "Quit anyway");
+  tip("The picture that is being drawn is lost; those of a turn that are done stay");
+  ImGui::SameLine();
+  const bool stays =
+      ImGui::Button("Stay##saving", size) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  note_item(state.widgets, "stay for saving");
+  if (quits && is_saving) requests.quit = true;
+  // What failed is told, and what was edited meanwhile is asked about
+  if (!is_saving && !inputs.message_is_error) state.quit_asked = true;
+  if (quits || stays || !is_saving) {
+    state.quits_when_saved = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
 void file_question(StudioState& state, StudioRequests& requests) {
   const FilePurpose purpose = state.file_dialog.purpose;
   if (const auto path = file_dialog(state.file_dialog, state.widgets)) {
@@ -95,6 +129,7 @@ void file_question(StudioState& state, StudioRequests& requests) {
       requests.open_preset = *path;
       requests.take = state.file_dialog.take;
     }
+    if (purpose == FilePurpose::view_preset) take_other_preset(state.views, *path);
     if (purpose == FilePurpose::export_preset) requests.export_preset = {state.export_dialog.to_write, *path};
     if (purpose == FilePurpose::save_preset) requests.save_preset = *path;
     if (purpose == FilePurpose::save_ray) requests.save_ray = *path;

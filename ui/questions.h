@@ -10,6 +10,10 @@ namespace crest {
 void unsaved_question(Document& document, StudioState& state, const StudioInputs& inputs,
                       StudioRequests& requests);
 
+/// Holds back quitting while a picture is being saved: the window says so, and quits when it is done. To be
+/// called after unsaved_question().
+void saving_question(StudioState& state, const StudioInputs& inputs, StudioRequests& requests);
+
 /// Of a window that asks something.
 void center_next_window();
 

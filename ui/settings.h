@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "presets/fields.h"
-#include "ui/palette.h"
+#include "ui/theme.h"
 
 namespace crest {
 

@@ -242,6 +242,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   if (inputs.dropped_preset) requests.open_preset = inputs.dropped_preset;
   file_question(state, requests);
   unsaved_question(document, state, inputs, requests);
+  saving_question(state, inputs, requests);
   help_window(state);
   about_window(state, inputs.version);
   end_navigation(state.navigation);

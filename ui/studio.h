@@ -66,6 +66,7 @@ struct ExportPicture {
 struct CarryOver {
   std::string from;           ///< its name
   bool knows_values = false;  ///< of both volumes, as carrying by histogram needs them
+  bool same_grid = false;     ///< as carrying by places needs it
 };
 /// Of a document that an earlier run of the program left with unsaved changes.
 struct RecoveryOffer {

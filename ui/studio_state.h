@@ -20,6 +20,12 @@
 
 namespace crest {
 
+/// A view, or what it is compared with.
+struct ViewPart {
+  int view = 0;
+  bool is_compared = false;
+};
+
 struct ViewsState {
   int enlarged = -1;       ///< the view that fills the grid; -1 = `count` of them
   int count = view_count;  ///< of the views in the grid
@@ -30,6 +36,9 @@ struct ViewsState {
   std::optional<glm::vec2>
       cursor;                  ///< the mouse in any view: from its middle and top, in shares of its height
   bool moves_divider = false;  ///< the mouse does
+  ViewPart preset_for;         ///< what the file dialog for a view's preset was opened for
+  bool asks_for_file = false;  ///< that dialog is to be opened
+  bool asks_for_own = false;   ///< the presets of the person's own folder are to be read again
   std::string error;           ///< why a preset could not be shown beside the document's
   bool outline = true;
   bool exact = true;           ///< at rest, views go on to the exact picture
@@ -125,6 +134,12 @@ struct PictureDialog {
   PictureAsk ask;
 };
 
+/// What differs between two presets, in sentences, and which two these are about.
+struct ChangeList {
+  Preset saved, now;
+  std::vector<std::string> sentences;  ///< empty while nothing was compared
+};
+
 struct ImportDialog {
   int chosen = -1;  ///< none yet
   TfParts take = TfParts::both;
@@ -164,6 +179,7 @@ struct StudioState {
   FileDialog file_dialog;
   ExportDialog export_dialog;
   ImportDialog import_dialog;
+  ChangeList changes;
   OpeningState opening;
   PictureDialog picture_dialog;
   glm::dvec3 slice_cursor{0.5};  ///< SlicesWanted::cursor
@@ -177,6 +193,7 @@ struct StudioState {
   std::string_view asked_tab;  ///< of tab_names: it comes up in the next frame
   bool escape_taken = false;   ///< in this frame: what Esc was for is done
   bool quit_asked = false;     ///< the person wants to leave
+  bool quits_when_saved = false;  ///< and a picture is still being saved
   Leaving leaving;             ///< what the question about unsaved changes is about
   std::size_t shown_step{};    ///< of the history, to which its list was last scrolled
   double camera_moved = -1;    ///< when the wheel last moved the camera, in Dear ImGui's seconds

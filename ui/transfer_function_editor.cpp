@@ -234,8 +234,9 @@ bool transfer_function_editor(Document& document, StudioState& state, const Stud
   if (ImGui::ArrowButton("##peak rule", editor.peak_rule ? ImGuiDir_Down : ImGuiDir_Right))
     editor.peak_rule = !editor.peak_rule;
   note_item(state.widgets, "peak rule");
+  tip("The peak rule: what counts as a peak, and as a spike");
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-  ImGui::TextDisabled("peak rule");
+  shortened_text("peak rule", ImGui::GetContentRegionAvail().x, palette().secondary);
   if (editor.peak_rule) changed |= peak_rule_fields(tf, state.widgets);
   return changed;
 }

@@ -101,7 +101,7 @@ void content_menu(int index, StudioState& state, const StudioInputs& inputs, con
     ImGui::EndMenu();
   }
   if (submenu(widgets, "Preset")) {
-    other_preset_menu(state, inputs, preset, content);
+    other_preset_menu(state, inputs, preset, content, {index, false});
     ImGui::EndMenu();
   }
 }
@@ -123,19 +123,21 @@ void popup_button(WidgetState& widgets, const std::string& text, const std::stri
 }  // namespace
 
 bool other_preset_menu(StudioState& state, const StudioInputs& inputs, const Preset& preset,
-                       ViewContent& content) {
+                       ViewContent& content, ViewPart part) {
   const auto before = content.other;
-  const auto choose = [&](const std::string& name, auto&& load) {
-    const bool chosen =
-        ImGui::MenuItem(name.c_str(), nullptr, content.other && content.other->name == file_name(name));
-    note_item(state.widgets, "other/" + name);
+  // `source` is a file, or a name in the library
+  const auto choose = [&](const std::string& text, const std::string& source, const std::string& name) {
+    const std::string label = fmt::format("{}##{}", text, source);
+    const bool chosen = ImGui::MenuItem(label.c_str(), nullptr, content.other && content.other->name == name);
+    note_item(state.widgets, "other/" + source);
     if (!chosen) return;
     try {
-      content.other = std::make_shared<const OtherPreset>(OtherPreset{file_name(name), load()});
+      content.other = std::make_shared<const OtherPreset>(OtherPreset{name, load_preset(source)});
     } catch (const std::exception& error) {
       state.views.error = error.what();
     }
   };
+  if (ImGui::IsWindowAppearing()) state.views.asks_for_own = true;
   if (ImGui::MenuItem("The one that is edited", nullptr, !content.other)) content.other = nullptr;
   note_item(state.widgets, "other/none");
   ImGui::Separator();
@@ -144,14 +146,28 @@ bool other_preset_menu(StudioState& state, const StudioInputs& inputs, const Pre
   if (ImGui::MenuItem("Take a snapshot of it")) content.other = take_snapshot(state.views, preset);
   note_item(state.widgets, "take snapshot");
   ImGui::Separator();
-  for (const LibraryPreset& one : library())
-    choose(std::string(one.name), [&] { return load_preset(std::string(one.name)); });
+  for (const LibraryPreset& one : library()) {
+    const std::string name(one.name);
+    choose(name, name, name);
+  }
   bool any = false;
+  for (const LibraryEntry& entry : inputs.library) {
+    if (!entry.is_own()) continue;
+    if (!std::exchange(any, true)) ImGui::Separator();
+    choose(entry.title, entry.name, entry.title);
+  }
+  any = false;
   for (const std::string& file : inputs.recent) {
     if (!is_preset_name(file)) continue;
     if (!std::exchange(any, true)) ImGui::Separator();
-    choose(file, [&] { return load_preset(file); });
+    choose(file, file, file_name(file));
   }
+  ImGui::Separator();
+  if (ImGui::MenuItem("From a file...")) {
+    state.views.preset_for = part;
+    state.views.asks_for_file = true;
+  }
+  note_item(state.widgets, "other/file");
   return content.other != before;
 }
 
@@ -165,12 +181,21 @@ void view_caption(int index, StudioState& state, const StudioInputs& inputs, con
   const bool enlarged = state.views.enlarged == index, compares = compares_view(state.views, index);
   const std::string name = fmt::format("content{}", index), compare = fmt::format("compare{}", index);
 
-  const std::string compare_text = compares ? "comparing" : "compare";
-  const char* action = enlarged ? "restore" : "enlarge";
-  const float actions = ImGui::CalcTextSize(with_arrow(compare_text).c_str()).x +
-                        ImGui::CalcTextSize(action).x + 2 * padding + scaled(4);
   const float sign = view.warnings.empty() ? 0 : gap + ImGui::GetFontSize();
-  const float room = width - actions - gap - sign - padding - ImGui::CalcTextSize(with_arrow("").c_str()).x;
+  const float arrow = ImGui::CalcTextSize(with_arrow("").c_str()).x;
+  const auto width_of = [&](const std::string& compare_text, const std::string& action) {
+    return ImGui::CalcTextSize(with_arrow(compare_text).c_str()).x + ImGui::CalcTextSize(action.c_str()).x +
+           2 * padding + scaled(4);
+  };
+  // Where the name would be cut, the buttons beside it have signs in place of words
+  std::string compare_text = compares ? "comparing" : "compare", action = enlarged ? "restore" : "enlarge";
+  const float named = ImGui::CalcTextSize(text_of(content).c_str()).x + padding + arrow;
+  if (named + sign + gap + width_of(compare_text, action) > width) {
+    compare_text = "vs";
+    action = enlarged ? "-" : "+";
+  }
+  const float actions = width_of(compare_text, action);
+  const float room = width - actions - gap - sign - padding - arrow;
   popup_button(state.widgets, shortened(text_of(content), std::max(room, scaled(24))), name);
   float left = ImGui::GetItemRectSize().x;
   tip(fmt::format("{}: {}\n{} in files. Click to choose what this view shows", text_of(content),
@@ -201,8 +226,9 @@ void view_caption(int index, StudioState& state, const StudioInputs& inputs, con
     ImGui::EndPopup();
   }
   ImGui::SameLine(0, scaled(4));
-  if (ImGui::Button(action)) state.views.enlarged = enlarged ? -1 : index;
+  if (ImGui::Button(action.c_str())) state.views.enlarged = enlarged ? -1 : index;
   note_item(state.widgets, fmt::format("enlarge{}", index));
+  tip(enlarged ? "All views again (also: double-click, Esc)" : "This view alone (also: double-click)");
   ImGui::PopStyleVar();
   explanation(rendering_of(content, preset), content.picture.value_or(shown_by_all(state.views)), view);
 }

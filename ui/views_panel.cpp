@@ -13,6 +13,7 @@
 #include "ui/comparison_view.h"
 #include "ui/keys.h"
 #include "ui/picking.h"
+#include "ui/questions.h"
 #include "ui/style.h"
 #include "ui/view_caption.h"
 #include "ui/view_overlay.h"
@@ -226,6 +227,10 @@ bool views_panel(Document& document, StudioState& state, const StudioInputs& inp
   requests.contents = views.contents;
   requests.inspect = state.ray.ask;
   requests.problem = std::exchange(views.error, "");
+  if (std::exchange(views.asks_for_own, false)) requests.reads_library = true;
+  if (std::exchange(views.asks_for_file, false)) ask_for_file(state, document, FilePurpose::view_preset);
+  if (views.comparison && views.comparison->follows)
+    views.comparison->with = views.contents[std::size_t(*views.comparison->follows)];
   if (views.comparison && requests.view_pixels[std::size_t(views.comparison->view)].x > 0) {
     requests.comparison = views.comparison;
     requests.animates |= views.comparison->kind == ComparisonKind::blink;

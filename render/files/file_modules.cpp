@@ -8,12 +8,14 @@
 namespace crest {
 namespace {
 
-/// Where the modules and the reader lie, from a program of any folder beside that one. (The run path does not
-/// do, since AddressSanitizer's dlopen has another one.)
+/// Where the modules and the reader lie, from the place of the program or of the reader: as installed, else as
+/// built. (The run path does not do, since AddressSanitizer's dlopen has another one.)
 std::filesystem::path render_folder() {
   std::error_code fault;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", fault);
-  return program.parent_path().parent_path() / "render";
+  const auto root = std::filesystem::read_symlink("/proc/self/exe", fault).parent_path().parent_path();
+  for (const auto& installed : {root / "lib" / "crest", root / "crest"})
+    if (std::filesystem::exists(installed / "crest-reader", fault)) return installed;
+  return root / "render";
 }
 
 /// Once loaded it stays.

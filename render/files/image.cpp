@@ -39,11 +39,17 @@ Image over_background(Image image, glm::vec3 background) {
   return image;
 }
 
-void write_image(const std::filesystem::path& path, const Image& image, glm::vec3 background,
-                 const std::string& preset) {
+void require_picture_file(const std::filesystem::path& path) {
   const auto extension = path.extension();
   if (extension != ".png" && extension != ".exr")
     throw Error(fmt::format("{}: a picture's name ends with .png or .exr", path.string()));
+  require_writable(path);
+}
+
+void write_image(const std::filesystem::path& path, const Image& image, glm::vec3 background,
+                 const std::string& preset) {
+  require_picture_file(path);
+  const auto extension = path.extension();
   write_file_atomically(path, extension == ".png" ? encode_png(path, image, background, preset)
                                                   : encode_exr(path, image, preset));
 }

@@ -22,6 +22,10 @@ struct Image {
 /// The image over an opaque background.
 Image over_background(Image image, glm::vec3 background);
 
+/// Throws Error where write_image() would, as far as that can be told before there is an image: the ending,
+/// the folder.
+void require_picture_file(const std::filesystem::path& path);
+
 /// Writes a .png (8-bit RGB over the background) or an .exr (premultiplied RGBA in 32-bit float, no
 /// background). Throws Error for another ending, or when it cannot be written; the file appears whole or not
 /// at all. `preset` is a preset's text, which is kept in the file, unless it is empty.

@@ -1,7 +1,6 @@
 #include "render/raycaster/raycaster.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "presets/choices.h"
 #include "render/gl/filter_weights.h"
@@ -31,6 +30,14 @@ gl::VertexArrayHandle make_vertex_array() {
   GLuint id = 0;
   glCreateVertexArrays(1, &id);
   return gl::VertexArrayHandle(id);
+}
+
+/// Where nothing is drawn, nothing is off.
+CountsOf what_is_counted(const Scene& scene, const Need& needs) {
+  const Features& drawn = needs.features;
+  const bool exact =
+      drawn.analytic || (is_analytic(scene.rendering.classification) && !drawn.dvr && !drawn.peaks);
+  return exact ? CountsOf::exact_march : CountsOf::samples;
 }
 
 }  // namespace
@@ -126,28 +133,19 @@ void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget&
 
 std::vector<PixelCounts> Raycaster::draw_counts(const Scene& scene, const Camera& camera,
                                                 gl::RenderTarget& target) {
-  // Where nothing is drawn, nothing is off
   const Need needs = need(scene, camera, target.size(), target.has_counts());
-  const Features& drawn = needs.features;
-  const bool analytic =
-      drawn.analytic || (is_analytic(scene.rendering.classification) && !drawn.dvr && !drawn.peaks);
-  std::vector<PixelCounts> sums(std::size_t(target.size().x) * std::size_t(target.size().y));
-  draw(scene, camera, target, Tile{{0, 0}, target.size()}, needs, [&](int pass) {
-    const auto counts = target.read_counts();
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-      sums[i].samples += counts[i].x;
-      sums[i].dvr_samples += counts[i].y;
-      sums[i].crossings += counts[i].z;
-      const std::uint32_t rest = counts[i].w & 0x7fffffffu;
-      if (analytic)
-        sums[i].error_bound =
-            std::min((pass == 0 ? 0.0F : sums[i].error_bound) + std::bit_cast<float>(rest), 1.0F);
-      else
-        sums[i].crossings_left_out += rest;
-      sums[i].hit = counts[i].w >> 31;
-    }
-  });
+  std::vector<PixelCounts> sums;
+  draw(scene, camera, target, Tile{{0, 0}, target.size()}, needs,
+       [&](int pass) { add_counts(sums, target.read_counts(), what_is_counted(scene, needs), pass == 0); });
   return sums;
+}
+
+PendingCounts Raycaster::begin_counts(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
+  const Need needs = need(scene, camera, target.size(), target.has_counts());
+  PendingCounts pending{what_is_counted(scene, needs), {}};
+  draw(scene, camera, target, Tile{{0, 0}, target.size()}, needs,
+       [&](int) { pending.passes.emplace_back(target, gl::PendingRead::What::counts); });
+  return pending;
 }
 
 RenderCounts Raycaster::draw_counted(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {

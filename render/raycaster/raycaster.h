@@ -11,6 +11,7 @@
 #include "render/gl/render_target.h"
 #include "render/raycaster/drawn_parts.h"
 #include "render/raycaster/need.h"
+#include "render/raycaster/pending_counts.h"
 #include "render/resources/resources.h"
 #include "render/scene/picture_cost.h"
 #include "render/scene/scene.h"
@@ -38,7 +39,10 @@ class Raycaster {
   /// The whole picture, with the costs of each pixel counted over all passes. `target` has counts.
   std::vector<PixelCounts> draw_counts(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
 
-  /// The same, summed over all pixels.
+  /// The same without waiting for the device: each pass is held on it until it is read.
+  PendingCounts begin_counts(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
+
+  /// As draw_counts, summed over all pixels.
   RenderCounts draw_counted(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
 
   /// What a picture of this size is made from.

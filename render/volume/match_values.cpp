@@ -64,6 +64,15 @@ double matched_value(const ValueDistribution& from, const ValueDistribution& to,
   return interpolated(to.share, to.value, interpolated(from.value, from.share, value));
 }
 
+TransferFunction carried_by(const TransferFunction& tf, const std::function<double(double)>& map,
+                            double width_ratio) {
+  TransferFunction result = tf;
+  result.plateau_width *= width_ratio;
+  for (ControlPoint& point : result.points) point.value = map(point.value);
+  place_spikes(result, tf, width_ratio);
+  return result;
+}
+
 TransferFunction carried(const TransferFunction& tf, const ValueDistribution& from,
                          const ValueDistribution& to, CarryBy by) {
   switch (by) {
@@ -72,14 +81,11 @@ TransferFunction carried(const TransferFunction& tf, const ValueDistribution& fr
     case CarryBy::range:
       return remap_values(tf, with_width(from.range), with_width(to.range));
     case CarryBy::histogram:
+    case CarryBy::places:
       break;
   }
-  TransferFunction result = tf;
-  const double ratio = width_ratio(from, to);
-  result.plateau_width *= ratio;
-  for (ControlPoint& point : result.points) point.value = matched_value(from, to, point.value);
-  place_spikes(result, tf, ratio);
-  return result;
+  return carried_by(
+      tf, [&](double value) { return matched_value(from, to, value); }, width_ratio(from, to));
 }
 
 }  // namespace crest

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "render/volume/volume.h"
@@ -19,7 +20,8 @@ ValueDistribution distribution_of(const Volume& volume);
 enum class CarryBy {
   histogram,  ///< a value goes to that with as many voxels below it: a monotone map (matched_value)
   range,      ///< the one's range is laid over the other's
-  value       ///< a value stays what it is
+  value,      ///< a value stays what it is
+  places      ///< by what the two have at the same places (fit_values.h): asks for both volumes
 };
 
 /// The value of `to` with the same share of the voxels below it as `value` has in `from`; linear between the
@@ -30,8 +32,14 @@ enum class CarryBy {
 /// values. Where the shares of the materials differ, air around a scan above all, so do the results.
 double matched_value(const ValueDistribution& from, const ValueDistribution& to, double value);
 
-/// `tf` has data values of `from`. A spike that is shown as a surface goes as a whole, by its peak, and its
-/// width by the ranges: else it would no longer be one. Unit distance and the rest stay.
+/// The points go where an ascending map sends their values. A spike that is shown as a surface goes as a
+/// whole, by its peak, and its width by `width_ratio`, of the values' widths.
+TransferFunction carried_by(const TransferFunction& tf, const std::function<double(double)>& map,
+                            double width_ratio);
+
+/// `tf` has data values of `from`; `by` is none that asks for the volumes. A spike that is shown as a surface
+/// goes as a whole, by its peak, and its width by the ranges: else it would no longer be one. Unit distance
+/// and the rest stay.
 TransferFunction carried(const TransferFunction& tf, const ValueDistribution& from,
                          const ValueDistribution& to, CarryBy by);
 

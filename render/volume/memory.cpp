@@ -29,20 +29,56 @@ std::uint64_t system_memory() {
   return kilobytes ? *kilobytes * 1024 : no_limit;
 }
 
-/// What the control group (a container's limit) still leaves; "max", or no such file, is no limit.
-std::uint64_t group_memory() {
+/// Where a version of control groups keeps a group's limit and what it uses.
+struct GroupFiles {
+  const char* limit;
+  std::string_view used;  ///< in memory.stat; what the kernel can take back does not count
+};
+constexpr GroupFiles v1{"memory.limit_in_bytes", "total_rss"}, v2{"memory.max", "anon"};
+
+/// What a group's limit still leaves; "max", or no such file, is no limit.
+std::uint64_t left_in(const std::filesystem::path& group, const GroupFiles& files) {
   std::uint64_t limit = 0;
-  std::ifstream file("/sys/fs/cgroup/memory.max");
+  std::ifstream file(group / files.limit);
   if (!(file >> limit)) return no_limit;
-  const std::uint64_t used = number_after("/sys/fs/cgroup/memory.stat", "anon").value_or(0);
+  const std::uint64_t used = number_after((group / "memory.stat").c_str(), files.used).value_or(0);
   return limit > used ? limit - used : 0;
+}
+
+/// The least that a group and those above it leave. In a container the names may be those outside: then the
+/// group is the root.
+std::uint64_t left_up_from(const std::filesystem::path& root, std::string_view group,
+                           const GroupFiles& files) {
+  std::uint64_t left = left_in(root, files);
+  for (std::filesystem::path below = std::filesystem::path(group).relative_path(); !below.empty();
+       below = below.parent_path())
+    left = std::min(left, left_in(root / below, files));
+  return left;
 }
 
 std::string gigabytes(std::uint64_t bytes) { return fmt::format("{:.3g} GB", double(bytes) / 1e9); }
 
 }  // namespace
 
-std::uint64_t available_memory() { return std::min(system_memory(), group_memory()); }
+// Lines are "number:controllers:/group"; version 2 has the number 0 and no controllers.
+std::uint64_t group_memory(const std::filesystem::path& membership, const std::filesystem::path& mounted) {
+  std::uint64_t left = left_in(mounted, v2);
+  std::ifstream file(membership);
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+    if (first == line.npos || second == line.npos) continue;
+    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+    const std::string group = line.substr(second + 1);
+    if (controllers == ",,") left = std::min(left, left_up_from(mounted, group, v2));
+    if (controllers.find(",memory,") != controllers.npos)
+      left = std::min(left, left_up_from(mounted / "memory", group, v1));
+  }
+  return left;
+}
+
+std::uint64_t available_memory() {
+  return std::min(system_memory(), group_memory("/proc/self/cgroup", "/sys/fs/cgroup"));
+}
 
 std::optional<std::uint64_t> checked_product(std::uint64_t a, std::uint64_t b) {
   std::uint64_t product = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <glm/ext/vector_uint3_sized.hpp>
 #include <optional>
 #include <string_view>
@@ -9,6 +10,10 @@ namespace crest {
 
 /// Bytes that the machine, and the limit on this group of processes, leave for a new volume.
 std::uint64_t available_memory();
+
+/// What the limits on the groups of processes of cgroup v1 and v2 leave: on those that `membership` (as
+/// /proc/self/cgroup) names, below `mounted`, and on all above them. The greatest number where there is none.
+std::uint64_t group_memory(const std::filesystem::path& membership, const std::filesystem::path& mounted);
 
 /// a * b, or nothing when it does not fit.
 std::optional<std::uint64_t> checked_product(std::uint64_t a, std::uint64_t b);

@@ -28,7 +28,8 @@ TEST_F(CommandLine, HelpTellsEachOption) {
        {"PRESET", "--to", "paraview", "csv", "--output", "--volume", "--samples", "--size", "--preview",
         "--json"}},
       {"import", {"FILE", "--output", "--name", "--list", "--take", "--onto", "--volume", "--json"}},
-      {"match", {"PRESET", "--from", "--to", "--output", "--by", "histogram", "range", "--json"}},
+      {"match",
+       {"PRESET", "--from", "--to", "--output", "--by", "histogram", "range", "least-squares", "--json"}},
       {"list", {"volumes", "formats", "methods", "presets", "devices"}}};
   const std::string help = output_of({"--help"});
   for (const char* part : {"--version", "Exit codes"}) EXPECT_NE(help.find(part), std::string::npos) << part;
@@ -114,10 +115,10 @@ TEST_F(CommandLine, OptionsBeforeACommandAreNotLost) {
 TEST_F(CommandLine, Sizes) {
   render.resize(2);
   for (const char* size :
-       {"0x0", "0x16", "abc", "16", "16x", "16x16x16", "-16x16", "1e3x2", "", " 16x16", "99999999999x1"})
+       {"0x0", "0x16", "abc", "16", "16x", "16x16x16", "-16x16", "1e3x2", " 16x16", "99999999999x1"})
     expect_error(2, render + Words{"-o", path("a.png"), "--size", size}, {"--size", "512x512"});
   for (const char* size : {"99999x1", "1x16385"})
-    expect_error(1, render + Words{"-o", path("a.png"), "--size", size}, {size, "1..16384"});
+    expect_error(2, render + Words{"-o", path("a.png"), "--size", size}, {"--size", size, "1..16384"});
 }
 
 TEST_F(CommandLine, NumbersOfOptions) {
@@ -134,6 +135,13 @@ TEST_F(CommandLine, NumbersOfOptions) {
   expect_error(2, {"info", "builtin:sphere?n=8", "--bins", "0"}, {"--bins"});
   expect_error(2, {"peaks", "onion", "--bins", "4097"}, {"--bins"});
   expect_error(2, {"export", "onion", "--to", "csv", "-o", path("x"), "--samples", "1"}, {"--samples"});
+}
+
+TEST_F(CommandLine, EmptyValuesAreNoValues) {
+  for (const char* option : {"--mode", "--step", "--size", "--preset", "--eye", "--set", "--error-bound"})
+    expect_error(2, render + Words{option, ""}, {option, "empty"});
+  expect_error(2, {"export", "onion", "--to", "csv", "-o", ""}, {"--output", "empty"});
+  expect_error(2, render + Words{"--device", "-1"}, {"--device"});
 }
 
 TEST_F(CommandLine, Cameras) {
@@ -177,14 +185,35 @@ TEST_F(CommandLine, WithoutADisplayThereIsAPicture) {
 }
 
 TEST_F(CommandLine, OutputThatCannotBePrintedIsAnError) {
-  for (const Words& arguments :
-       {Words{"info", "builtin:sphere?n=8"}, Words{"peaks", "onion"}, Words{"list", "presets"}}) {
+  for (const Words& arguments : {Words{"info", "builtin:sphere?n=8"}, Words{"peaks", "onion"},
+                                 Words{"list", "presets"}, Words{"--help"}, Words{"--version"}}) {
     // The outer redirection is the test's own; this one, within, is the full disk.
     const Outcome outcome = run(arguments, "exec >/dev/full;");
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_TRUE(outcome.err.starts_with("crest: cannot write to ")) << outcome.err;
     EXPECT_TRUE(outcome.err.ends_with(": No space left on device\n")) << outcome.err;
   }
+}
+
+TEST_F(CommandLine, ClosedStreamsAreNoCrash) {
+  EXPECT_EQ(run({"info", path("none")}, "exec 2>&-;").exit_code, 1);
+  EXPECT_EQ(run({"info", path("none")}, "exec 2>/dev/full;").exit_code, 1);
+  EXPECT_EQ(run({"list", "presets"}, "exec 0<&- 2>&-;").exit_code, 0);
+  const Outcome closed = run({"list", "presets"}, "exec >&-;");
+  EXPECT_EQ(closed.exit_code, 1);
+  EXPECT_TRUE(closed.err.starts_with("crest: cannot write to ")) << closed.err;
+}
+
+TEST_F(CommandLine, NamesReachTheTerminalEscaped) {
+  expect_error(1, {"info", path("\x1b[31m\xff.nrrd")}, {"\\x1b[31m\\xff.nrrd"});
+  const Outcome outcome = run({"info", std::string(100000, 'x')});
+  EXPECT_LT(outcome.err.size(), 3000U);
+}
+
+TEST_F(CommandLine, APresetIsNotWrittenOver) {
+  const std::string preset = write("p.json", content_of(source_folder() / "presets/library/onion.json"));
+  expect_error(2, {"export", preset, "--to", "csv", "-o", preset}, {"--output", "p.json", "preset itself"});
+  expect_error(2, {"export", preset, "--to", "csv", "-o", path("./p.json")}, {"--output", "preset itself"});
 }
 
 }  // namespace

@@ -44,6 +44,8 @@ TEST_F(Config, IsForWhatTheCommandLineLeavesOut) {
   EXPECT_EQ(size_of_picture({}), "20x10");
   EXPECT_EQ(size_of_picture({"--size", "8x8"}), "8x8");
   EXPECT_EQ(size_of_picture({"--no-config"}), "512x512");
+  configure("faulty");
+  EXPECT_EQ(run_configured({"--no-config", "list", "presets"}).exit_code, 0) << "also before a command";
 }
 
 TEST_F(Config, ASectionIsNearerThanWhatIsForAll) {

@@ -64,7 +64,7 @@ TEST_F(Data, MatchCarriesAPresetOver) {
   const std::string preset = write("data.json", R"({"format": "crest-preset", "version": 1,
     "transfer_function": {"points": [{"value": -1, "color": [1, 0, 0], "opacity": 0},
                                      {"value": 0.3, "color": [1, 0, 0], "opacity": 0.5}]}})");
-  for (const char* by : {"histogram", "range"}) {
+  for (const char* by : {"histogram", "range", "least-squares"}) {
     const auto said =
         json_of({"match", preset, "--from", from, "--to", to, "-o", path("out.json"), "--by", by, "--json"});
     EXPECT_NEAR(said["values"][1]["to"], 0.6, 1e-3) << by;
@@ -73,6 +73,13 @@ TEST_F(Data, MatchCarriesAPresetOver) {
     EXPECT_NEAR(tf.points[0].value, -2, 1e-3) << by;
     EXPECT_EQ(tf.points[1].value, said["values"][1]["to"]) << by;
   }
+  const auto fitted = json_of({"match", preset, "--from", from, "--to", to, "-o", path("out.json"), "--by",
+                               "least-squares", "--json"});
+  EXPECT_NEAR(fitted["explained"], 1, 1e-6);
+  expect_error(1,
+               {"match", preset, "--from", from, "--to", "builtin:linear?n=17", "-o", path("x.json"), "--by",
+                "least-squares"},
+               {"33x33x33", "17x17x17", "same grid"});
   run({"match", "four-peaks", "--from", from, "--to", to, "-o", path("out.json")});
   const TransferFunction before = load_preset("four-peaks").transfer_function,
                          after = load_preset(path("out.json")).transfer_function;

@@ -18,7 +18,7 @@ class LastVolumeTest : public ::testing::Test {
 };
 
 TEST_F(LastVolumeTest, EachWayInDataValues) {
-  const LastVolume last = last_volume(from, tf, &from_values);
+  const LastVolume last = last_volume(from, "from.nrrd", tf, &from_values);
   EXPECT_EQ(last.name, "linear");
   const auto value = [&](CarryBy by, const VolumeValues* values) {
     return last.carried_to(range, values, by, Domain::data).points[1].value;
@@ -31,7 +31,7 @@ TEST_F(LastVolumeTest, EachWayInDataValues) {
 
 TEST_F(LastVolumeTest, ANormalizedOneStaysSo) {
   const TransferFunction normalized = in_domain(tf, Domain::normalized, from.statistics.range);
-  const LastVolume last = last_volume(from, normalized, &from_values);
+  const LastVolume last = last_volume(from, "from.nrrd", normalized, &from_values);
   EXPECT_NEAR(last.tf.points[1].value, 0.3, 1e-9);
   const TransferFunction same = last.carried_to(range, &to_values, CarryBy::range, Domain::normalized);
   EXPECT_EQ(same.domain, Domain::normalized);

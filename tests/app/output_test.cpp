@@ -38,6 +38,16 @@ TEST_F(Output, PicturesAreOfTwoKinds) {
     expect_error(1, render_to(path(name)), {name, ".png or .exr"});
 }
 
+TEST_F(Output, IsFoundWrongBeforeAnyWork) {
+  // The volume is not there either, but that is not what is told.
+  for (const char* command : {"render", "compare"}) {
+    expect_error(1, {command, path("none.nrrd"), "-o", path("a.jpg")}, {"a.jpg", ".png or .exr"});
+    expect_error(1, {command, path("none.nrrd"), "-o", path("missing/a.png")}, {"folder does not exist"});
+  }
+  expect_error(1, {"info", path("none.nrrd"), "--by-value", path("missing/a.csv")},
+               {"folder does not exist"});
+}
+
 TEST_F(Output, NoPermission) {
   if (geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   std::filesystem::create_directory(path("locked"));

@@ -76,6 +76,18 @@ TEST_F(Recovery, TheNewestComesFirstAndTooManyGo) {
   EXPECT_TRUE(fs::exists(names[3]));
 }
 
+TEST_F(Recovery, WhatCannotBeReadTakesNoPlaceFromWhatCan) {
+  const fs::path good = leave_behind(kept("fire"));
+  for (std::size_t i = 0; i < most_recoveries; ++i) {  // all newer
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    std::ofstream(leave_behind(kept("onion"))) << "damage";
+  }
+  const auto found = RecoveryFile::left_behind(folder);
+  EXPECT_EQ(found.size(), most_recoveries + 1);
+  EXPECT_EQ(found.back().path(), good);
+  EXPECT_TRUE(fs::exists(good));
+}
+
 TEST_F(Recovery, DamagedFilesAreErrorsNotCrashes) {
   const fs::path name = leave_behind(kept("onion"));
   for (const char* text :

@@ -57,7 +57,7 @@ TEST_F(Stability, WrongCommandLines) {
 }
 
 TEST_F(Stability, WhatCannotBeIsFoundBeforeAnyWork) {
-  expect_error(1, stability({"--size", "99999x16"}), {"99999x16", "1..16384"});
+  expect_error(2, stability({"--size", "99999x16"}), {"99999x16", "1..16384"});
   expect_error(1, stability({"--device", "99"}), {"99"});
   write("file", "");
   expect_error(1, stability({"-o", path("file")}), {"file", "folder"});

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <fstream>
+#include <mutex>
 #include <thread>
 
 #include "app/thumbnail_maker.h"
@@ -104,10 +105,12 @@ class Store : public ::testing::Test {
 TEST_F(Store, APictureIsThereAtTheNextStart) {
   ThumbnailStore first(folder);
   EXPECT_EQ(first.texture("a"), 0U);
-  first.put("a", noise(1));
-  first.put("b", noise(2));
+  first.show("a", noise(1));
   EXPECT_EQ(shown(first.texture("a")), noise(1));
-  first.put("a", noise(3));
+  EXPECT_EQ(ThumbnailStore(folder).texture("a"), 0U) << "it is not written yet";
+  first.write("a", noise(1));
+  first.write("b", noise(2));
+  first.write("a", noise(3));
   ThumbnailStore second(folder);
   ASSERT_NE(second.texture("a"), 0U);
   EXPECT_EQ(shown(second.texture("a")), noise(3));
@@ -116,7 +119,7 @@ TEST_F(Store, APictureIsThereAtTheNextStart) {
 }
 
 TEST_F(Store, ADamagedFileIsNoPicture) {
-  ThumbnailStore(folder).put("a", noise(1));
+  ThumbnailStore(folder).write("a", noise(1));
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     std::ofstream(entry.path()) << "damage";
   EXPECT_EQ(ThumbnailStore(folder).texture("a"), 0U);
@@ -124,7 +127,8 @@ TEST_F(Store, ADamagedFileIsNoPicture) {
 
 TEST_F(Store, NoFolderIsNoError) {
   ThumbnailStore store("");
-  store.put("a", noise(1));
+  store.show("a", noise(1));
+  store.write("a", noise(1));
   EXPECT_EQ(shown(store.texture("a")), noise(1));
 }
 
@@ -154,7 +158,15 @@ class Maker : public ::testing::Test {
 
   std::atomic<bool> is_held = false;
   std::atomic<int> draws = 0;
-  ThumbnailMaker maker{[this] { return make_draw(); }};
+  std::mutex mutex;
+  std::vector<std::string> written;  ///< keys, once the maker is gone or idle
+  std::optional<ThumbnailMaker> maker_place{std::in_place,
+                                            [this](const std::string& key, const Thumbnail&) {
+                                              const std::scoped_lock lock(mutex);
+                                              written.push_back(key);
+                                            },
+                                            [this] { return make_draw(); }};
+  ThumbnailMaker& maker = *maker_place;
 };
 
 TEST_F(Maker, MakesWhatIsWantedInOrderAgainAndAgain) {
@@ -180,6 +192,35 @@ TEST_F(Maker, WhatFailsIsNotTriedAgain) {
   maker.want({job("bad")});
   EXPECT_EQ(finish(), std::vector<std::string>{});
   EXPECT_EQ(draws, 2);
+}
+
+TEST_F(Maker, WhatIsMadeOrGivenIsWrittenInTheThreadAlsoAtTheEnd) {
+  maker.want({job("a")});
+  finish();
+  maker.keep("given", noise(1));
+  maker.keep("last", noise(2));
+  maker_place.reset();
+  EXPECT_EQ(written, (std::vector<std::string>{"a", "given", "last"}));
+}
+
+TEST_F(Maker, ABurstDoesNotWaitForTheEndOfTheLast) {
+  // What draws takes long to go, as a context does; the window must not
+  std::atomic<bool> may_go = false;
+  const auto slow = [&] {
+    const std::shared_ptr<int> lives(new int(0), [&](const int* one) {
+      while (!may_go) std::this_thread::sleep_for(1ms);
+      delete one;
+    });
+    return [lives](const ThumbnailJob&) { return noise('a'); };
+  };
+  ThumbnailMaker other(nullptr, slow);
+  other.want({job("a")});
+  while (!other.has_news()) std::this_thread::sleep_for(1ms);
+  other.take();
+  other.want({job("b")});  // would hang
+  may_go = true;
+  while (!other.has_news()) std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(other.take()[0].key, "b");
 }
 
 TEST(MakerOffscreen, DrawsAPresetOnAVolume) {

@@ -76,7 +76,8 @@ TEST_F(Views, TheDifferenceOfTwoPicturesIsDrawnAndMeasured) {
   ASSERT_TRUE(views.colors(compared_picture));
 
   ViewDifference difference;
-  Comparison comparison{.view = 2, .with = {}, .kind = ComparisonKind::difference, .amplification = 4};
+  Comparison comparison{
+      .view = 2, .with = {}, .follows = {}, .kind = ComparisonKind::difference, .amplification = 4};
   difference.update(views, comparison);
   EXPECT_NE(difference.picture().texture, 0u);
   EXPECT_EQ(difference.picture().max, 0) << "the same picture";

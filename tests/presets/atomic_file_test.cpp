@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
 
@@ -127,6 +129,33 @@ TEST_F(AtomicFile, ReadsNoFolderAndNothingTooLarge) {
             "cannot read " + path.string() + ": it is larger than 10 bytes");
   EXPECT_EQ(error_of([&] { read_file("/dev/zero", 1 << 20); }),
             "cannot read /dev/zero: it is larger than 1048576 bytes");
+}
+
+TEST_F(AtomicFile, SweepsWhatKilledSavesLeft) {
+  const pid_t ended = ::fork();
+  if (ended == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(ended, nullptr, 0), ended);
+  const auto left = [&](pid_t process, int hours, const std::string& end = ".json") {
+    const fs::path name = folder / (".crest-" + std::to_string(process) + "-0" + end);
+    std::ofstream(name) << "half";
+    fs::last_write_time(name, fs::file_time_type::clock::now() - std::chrono::hours(hours));
+    return name;
+  };
+  const fs::path old = left(ended, 2), young = left(ended, 0, ".png"), ours = left(::getpid(), 2);
+  write_file_atomically(path, "x");
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_TRUE(fs::exists(young)) << "it may be another machine's";
+  EXPECT_TRUE(fs::exists(ours)) << "its program runs";
+}
+
+TEST_F(AtomicFile, TellsBeforeWhatCannotBeWritten) {
+  EXPECT_NO_THROW(require_writable(path));
+  EXPECT_FALSE(fs::exists(path));
+  EXPECT_EQ(error_of([&] { require_writable(folder / "none" / "a"); }),
+            "cannot write " + (folder / "none" / "a").string() + ": its folder does not exist");
+  EXPECT_EQ(error_of([&] { require_writable(folder); }),
+            "cannot write " + folder.string() + ": Is a directory");
+  EXPECT_NO_THROW(require_writable("/dev/null"));
 }
 
 TEST_F(AtomicFile, PresetsAreSavedAndLoaded) {

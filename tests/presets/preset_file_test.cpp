@@ -270,6 +270,7 @@ TEST(ParsePreset, RefusesWhatIsNotJSON) {
             "FILE: rendering.step: appears twice");
   EXPECT_NE(error_of("{\"name\": \"\xff\"}").find("invalid"), std::string::npos);
   EXPECT_NE(error_of(std::string("{\"name\": \"a\0b\"}", 15)).find("parse error"), std::string::npos);
+  EXPECT_NE(error_of(sample().dump() + std::string("\0garbage", 8)).find("parse error"), std::string::npos);
 }
 
 TEST(ParsePreset, SurvivesHostileTexts) {

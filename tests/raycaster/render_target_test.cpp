@@ -40,5 +40,38 @@ TEST_F(Targets, AWrongUseOfGlFailsATest) {
   gl::require_no_error("drawing", {10, 20});
 }
 
+// What nobody waits for is the same, also where the target is drawn into again before it is read, and in
+// passes.
+TEST_F(Targets, ReadWithoutWaiting) {
+  Scene scene;
+  scene.volume =
+      make_volume({{9, 9, 9}, {1, 1, 1}, {-4, -4, -4}}, [](glm::dvec3 p) { return p.x + 0.1 * p.y; });
+  scene.tf = make_tf({point(-4, 0), point(4, 0.5)});
+  scene.rendering.skipping = false;
+  const Camera camera = along_z(scene.volume->grid, 10);
+  gl::RenderTarget target({24, 16}, true);
+  for (const int intervals : {0, 5}) {
+    Forced forced;
+    forced.intervals_per_pass = intervals;
+    forced.features.long_rays = intervals > 0;
+    raycaster.force(forced);
+    const auto counts = raycaster.draw_counts(scene, camera, target);
+    const Image color = target.read_color();
+    const PendingCounts pending = raycaster.begin_counts(scene, camera, target);
+    const gl::PendingRead pending_color(target, gl::PendingRead::What::color);
+    EXPECT_EQ(pending.passes.size() > 1, intervals > 0);
+    Scene other = scene;
+    other.tf.points.back().opacity = 0.1;
+    raycaster.draw(other, camera, target);
+    EXPECT_EQ(pending_color.color(), color.pixels);
+    EXPECT_TRUE(pending_color.is_over());
+    const auto taken = pending.take();
+    ASSERT_EQ(taken.size(), counts.size());
+    EXPECT_GT(sum_of(counts).samples, 0);
+    EXPECT_EQ(sum_of(taken).samples, sum_of(counts).samples);
+    EXPECT_EQ(sum_of(taken).hit_pixels, sum_of(counts).hit_pixels);
+  }
+}
+
 }  // namespace
 }  // namespace crest::testing

@@ -49,6 +49,7 @@ TEST_F(Palette, FindsWhatIsMeant) {
   EXPECT_EQ(first("onion"), "Open preset onion");
   EXPECT_EQ(first("viridis"), "Colours: viridis");
   EXPECT_EQ(first("xyzzy"), "");
+  EXPECT_NE(first("comp"), "Stop comparing") << "what cannot be done comes last";
   inputs.recent = {"/scans/head.nrrd", "/scans/bones.json"};
   EXPECT_EQ(first("head"), "Open /scans/head.nrrd");
   EXPECT_EQ(first("bones"), "Open /scans/bones.json");

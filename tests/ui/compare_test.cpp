@@ -1,5 +1,8 @@
 #include <fmt/core.h>
 
+#include <filesystem>
+
+#include "presets/preset_file.h"
 #include "tests/ui/harness.h"
 
 namespace crest::test {
@@ -62,6 +65,59 @@ TEST_F(Compare, ALineIsDraggedAndTheCameraStays) {
   drag({middle.x - 100, middle.y}, {middle.x - 60, middle.y});
   EXPECT_NEAR(asked().divider, 0.5 + 100 / (high.x - low.x), 0.01) << "beside the line the camera turns";
   EXPECT_TRUE(document.preset.camera);
+}
+
+TEST_F(Compare, AViewThatIsComparedWithIsFollowed) {
+  choose("compare0", "with view2");
+  choose("content2", fmt::format("show/{}", name_of(Mode::peak_only)));
+  EXPECT_EQ(asked().with.mode, Mode::peak_only);
+  click("compare0");
+  frames(2);
+  click("with as set");  // of view 0 itself, which stays what it is
+  frames(2);
+  choose("content2", fmt::format("show/{}", name_of(Mode::both)));
+  EXPECT_EQ(asked().with.mode, requests.contents[0].mode);
+}
+
+TEST_F(Compare, PresetsOfOnesOwnAndOfAnyFileCanBeShown) {
+  const auto folder = std::filesystem::temp_directory_path() / "crest-compare-test";
+  std::filesystem::create_directories(folder);
+  Preset mine = document.preset;
+  mine.name = "Mine";
+  mine.transfer_function.points[0].opacity = 0.25;
+  save_preset(folder / "mine.json", mine);
+  const std::vector<LibraryEntry> entries{
+      {(folder / "mine.json").string(), folder / "mine.json", "Mine", "", {}, 0}};
+  inputs.library = entries;
+  click("content1");
+  frames(2);
+  move_to(center_of("Preset"));
+  bool reads = requests.reads_library;
+  for (int i = 0; i < 30; ++i) reads |= frame().reads_library;
+  EXPECT_TRUE(reads) << "the folder may have changed";
+  click("other/" + entries[0].name);
+  frames(2);
+  ASSERT_TRUE(requests.contents[1].other);
+  EXPECT_EQ(requests.contents[1].other->name, "Mine");
+  EXPECT_EQ(requests.contents[1].other->preset.transfer_function.points[0].opacity, 0.25);
+
+  click("compare0");
+  frames(2);
+  click("with preset");
+  frames(2);
+  click("other/file");
+  frames(3);
+  ASSERT_TRUE(has("file name"));
+  for (const char c : (folder / "mine.json").string())
+    ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(c));
+  frames(2);
+  key_of(ImGuiKey_Enter);
+  frames(2);
+  ASSERT_TRUE(requests.comparison);
+  EXPECT_EQ(asked().view, 0);
+  EXPECT_EQ(asked().with.other->preset.name, "Mine");
+  EXPECT_FALSE(requests.open_preset) << "what is edited stays";
+  std::filesystem::remove_all(folder);
 }
 
 TEST_F(Compare, ASnapshotStaysAsItWas) {

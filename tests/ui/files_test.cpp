@@ -176,6 +176,41 @@ TEST_F(Files, QuittingAsksOnlyAboutUnsavedChanges) {
   EXPECT_TRUE(requests.quit);
 }
 
+TEST_F(Files, QuittingWaitsForAPictureThatIsBeingSaved) {
+  inputs.saving = "Saving turn.png: 3 of 36";
+  EXPECT_FALSE(ctrl('Q').quit);
+  frames(3);
+  ASSERT_TRUE(has("Quit anyway"));
+  EXPECT_TRUE(requests.animates);
+  inputs.saving.clear();
+  bool quits = false;
+  for (int i = 0; i < 3; ++i) quits |= frame().quit;
+  EXPECT_TRUE(quits);
+}
+
+TEST_F(Files, APictureCanBeGivenUpOrTheProgramKept) {
+  inputs.saving = "Saving turn.png: 3 of 36";
+  ctrl('Q');
+  frames(3);
+  key_of(ImGuiKey_Escape);
+  frames(2);
+  EXPECT_FALSE(has("Quit anyway"));
+  ctrl('Q');
+  frames(3);
+  EXPECT_TRUE(press_on("Quit anyway").quit);
+  // What could not be saved is told, not left behind
+  frames(3);
+  ctrl('Q');
+  frames(3);
+  inputs.saving.clear();
+  inputs.message = "turn.png: the disk is full";
+  inputs.message_is_error = true;
+  bool quits = false;
+  for (int i = 0; i < 5; ++i) quits |= frame().quit;
+  EXPECT_FALSE(quits);
+  EXPECT_FALSE(has("Quit anyway"));
+}
+
 TEST_F(Files, SaveBeforeQuitting) {
   inputs.unsaved_changes = true;
   document.preset_path = folder / "mine.json";

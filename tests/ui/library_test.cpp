@@ -82,6 +82,16 @@ TEST_F(Library, IsSearchedByWordsAndTags) {
   EXPECT_TRUE(has("library/onion"));
 }
 
+TEST_F(Library, AllTagsAreShownInRows) {
+  for (int i = 0; i < 60; ++i) entries[0].tags.push_back("a long tag with the number " + std::to_string(i));
+  inputs.library = entries;
+  frames(2);
+  for (const std::string& tag : entries[0].tags) ASSERT_TRUE(has("library tag/" + tag)) << tag;
+  click("library tag/a long tag with the number 59");
+  EXPECT_TRUE(has("library//mine/a.json"));
+  EXPECT_FALSE(has("library/onion"));
+}
+
 TEST_F(Library, OnlyOnesOwnAreRenamedAndDeleted) {
   click("library/onion");
   EXPECT_FALSE(has("library/Delete"));

@@ -137,7 +137,7 @@ TEST_F(ValueCurves, TheCurveOfTheLastVolumeIsCarriedOverFromTheMenu) {
   frames(2);
   EXPECT_FALSE(has("menu/Carry over")) << "there was no other volume";
   key_of(ImGuiKey_Escape);
-  inputs.carry_over = CarryOver{"tooth", true};
+  inputs.carry_over = CarryOver{"tooth", true, true};
   const auto carry = [&](const std::string& how) {
     click("menu/Preset");
     frames(2);
@@ -154,6 +154,7 @@ TEST_F(ValueCurves, TheCurveOfTheLastVolumeIsCarriedOverFromTheMenu) {
     return carried;
   };
   EXPECT_EQ(carry("By histogram"), CarryBy::histogram);
+  EXPECT_EQ(carry("By the same places"), CarryBy::places);
   EXPECT_EQ(carry("By range"), CarryBy::range);
   EXPECT_EQ(carry("As values"), CarryBy::value);
   inputs.carry_over->knows_values = false;

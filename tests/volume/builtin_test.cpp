@@ -168,7 +168,7 @@ TEST(Builtin, SeedsDiffer) {
 TEST(Builtin, WrongNamesAndParametersAreSaid) {
   const auto message = [](const std::string& source, std::uint64_t memory = 1u << 30) -> std::string {
     try {
-      load_volume(source, memory);
+      load_volume(source, {.memory = memory});
     } catch (const Error& error) {
       return error.what();
     }

@@ -34,8 +34,10 @@ wait_for 10 title_is '[!*]*'
 xdotool key ctrl+shift+z
 wait_for 10 title_is '\* *'
 
-xdotool key F6 F6
-sleep 0.5
+xdotool key F6
+sleep 1
+xdotool key F6
+sleep 1
 import -window root "$screenshot"
 xdotool key F1
 wait_for 10 has_widget "close help"
@@ -47,10 +49,14 @@ xdotool key alt
 wait_for 10 has_widget Quit
 sleep 0.3
 import -window root "${screenshot%.png}-menu.png"
-xdotool key Up Return # from the first entry round to the last: Quit
+xdotool key Up # from the first entry round to the last: Quit
+sleep 1
+xdotool key Return
 wait_for 10 has_widget Discard
 sleep 0.3
 import -window root "${screenshot%.png}-question.png"
-xdotool key Tab Return # from Save to Discard
+xdotool key Tab # from Save to Discard
+sleep 1
+xdotool key Return
 wait %1 || fail "exit code $?"
 echo "PASSED"

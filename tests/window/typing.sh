@@ -15,6 +15,7 @@ peaks_are() { has_widget "peak$(($1 - 1))" && ! has_widget "peak$1"; }
 timeout 200 "$program" "builtin:plume?n=32" --log-layout "$layout" &
 wait_for 30 has_widget view0
 wait_for 60 is_idle
+click values/normalized  # in which the file's numbers are those that were typed
 
 for value in 0.3 ,5 7/10; do
   act click 'add peak'
