@@ -51,7 +51,7 @@ constexpr Reader readers[] = {
     {{"VTK", ".vtk", "legacy structured points, binary or ASCII; ?array=NAME for one of several"},
      read_form<FileForm::vtk>},
     {{"VTK XML", ".vti",
-      "image data: text, base64 or appended, also by zlib; ?array=NAME for one of several"},
+      "image data, in pieces too: text, base64 or appended, also by zlib; ?array=NAME for one of several"},
      read_form<FileForm::vti>},
     {{"NumPy", ".npy", "arrays [z][y][x], [frame][z][y][x] or [z][y][x][component], in C or Fortran order"},
      read_form<FileForm::npy>},
