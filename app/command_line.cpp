@@ -11,7 +11,6 @@
 #include <cstring>
 #include <exception>
 #include <new>
-#include <optional>
 #include <utility>
 
 #include "app/commands.h"
@@ -60,8 +59,7 @@ void flush_output() {
 
 namespace {
 
-/// The exit code.
-int read_and_run(int argc, char** argv, const std::string& version) {
+void read_and_run(int argc, char** argv, const std::string& version) {
   CommandLine line({description, usage, "crest " + version});
   const Options options = line.options();
   Action chosen;
@@ -76,10 +74,8 @@ int read_and_run(int argc, char** argv, const std::string& version) {
   add_import_command(options, chosen);
   add_match_command(options, chosen);
   add_list_command(options, chosen);
-  const std::optional<int> exit_code = line.read(argc, argv);
-  if (!exit_code) chosen();
+  if (line.read(argc, argv)) chosen();
   flush_output();
-  return exit_code.value_or(0);
 }
 
 }  // namespace
@@ -89,7 +85,8 @@ int run_command_line(int argc, char** argv, const std::string& version) {
   open_standard_streams();
   ::setenv("EGL_LOG_LEVEL", "fatal", 0);  // what cannot be drawn with is said in our words
   try {
-    return read_and_run(argc, argv, version);
+    read_and_run(argc, argv, version);
+    return 0;
   } catch (const UsageError& error) {
     report(fmt::format("{} (see crest --help)", error.what()));
     return 2;

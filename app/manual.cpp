@@ -13,7 +13,7 @@ std::vector<fs::path> docs_folders() {
   std::error_code unknown;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
   std::vector<fs::path> folders;
-  if (!unknown) folders.push_back(program.parent_path().parent_path() / "share" / "doc" / "crest");
+  if (!unknown) folders.push_back(program.parent_path().parent_path() / "share" / "doc" / "crest" / "docs");
   folders.push_back(docs_of_sources());
   return folders;
 }
@@ -27,8 +27,7 @@ fs::path manual_page(const std::string& page, std::span<const fs::path> folders)
   };
   if (!page.empty())
     if (const fs::path file = found(fs::path("manual") / (page + ".md")); !file.empty()) return file;
-  const fs::path index = found(fs::path("manual") / "index.md");
-  return index.empty() ? found("manual.md") : index;
+  return found(fs::path("manual") / "index.md");
 }
 
 bool open_on_desktop(const fs::path& file) {
@@ -47,7 +46,7 @@ bool open_on_desktop(const fs::path& file) {
 ManualOpened open_manual(const std::string& page) {
   const fs::path file = manual_page(page, docs_folders());
   if (file.empty())
-    return {"The manual is not there: it comes with Crest's sources, as docs/manual.md", true};
+    return {"The manual is not there: it comes with Crest's sources, as docs/manual", true};
   if (!open_on_desktop(file))
     return {fmt::format("No program to open it with was found; the manual is {}", file.string()), true};
   return {fmt::format("The manual is {}", file.string())};

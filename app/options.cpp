@@ -188,19 +188,19 @@ CommandLine::~CommandLine() = default;
 
 Options CommandLine::options() { return {app_.get(), &table_, &table_.commands.front()}; }
 
-std::optional<int> CommandLine::read(int argc, char** argv) {
+bool CommandLine::read(int argc, char** argv) {
   if (!needs_no_config(argc, argv)) read_config_file(table_);
   try {
     app_->parse(argc, argv);
     require_none_before_command(*app_);
-    return std::nullopt;
+    return true;
   } catch (const CLI::CallForHelp&) {
     const CommandRow& command = chosen_command(*app_, table_);
     fmt::print("{}", command.name.empty() ? program_help(table_) : command_help(command));
-    return 0;
+    return false;
   } catch (const CLI::CallForVersion&) {
     fmt::print("{}\n", version_);
-    return 0;
+    return false;
   } catch (const CLI::ExtrasError&) {
     fail_on_extra_words(*app_, table_);
   } catch (const CLI::ParseError& error) {

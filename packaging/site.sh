@@ -16,7 +16,7 @@ page() {
 <meta name="viewport" content="width=device-width">
 <title>$2</title>
 <link rel="stylesheet" href="$3site.css">
-<nav><a href="$3index.html">Crest</a> <a href="$3docs/manual.html">Manual</a> <a href="$3docs/manual/options.html">Options</a>
+<nav><a href="$3index.html">Crest</a> <a href="$3docs/manual/index.html">Manual</a> <a href="$3docs/manual/options.html">Options</a>
 <a href="$3docs/manual/scripts.html">Scripts</a> <a href="$3docs/architecture.html">Architecture</a>
 <a href="$3docs/measured.html">Measured</a> <a href="$3CHANGELOG.html">Changes</a></nav>
 <main>

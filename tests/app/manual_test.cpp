@@ -23,10 +23,8 @@ struct Manual : ::testing::Test {
   std::vector<fs::path> folders{root / "none", root / "docs"};
 };
 
-TEST_F(Manual, IsThePageOrItsBeginningOrTheOneFile) {
+TEST_F(Manual, IsThePageOrItsBeginning) {
   EXPECT_EQ(manual_page("", folders), "");
-  write(folders[1] / "manual.md");
-  EXPECT_EQ(manual_page("views", folders), folders[1] / "manual.md");
   write(folders[1] / "manual/index.md");
   EXPECT_EQ(manual_page("", folders), folders[1] / "manual/index.md");
   EXPECT_EQ(manual_page("views", folders), folders[1] / "manual/index.md");

@@ -173,7 +173,7 @@ int main_with(int argc, char** argv) {
   options.add("--volume", settings.volume, "One of the built-in volumes alone").type_name("NAME");
   options.add_flag("--device-only", settings.device_only, "Only the device");
   options.when_read([] {});
-  if (const auto code = line.read(argc, argv)) return *code;
+  if (!line.read(argc, argv)) return 0;
   return run(settings);
 }
 

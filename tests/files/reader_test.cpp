@@ -39,13 +39,15 @@ TEST_F(FailingReader, OneThatDoesWellIsRead) { EXPECT_EQ(error_of("well"), "read
 
 TEST_F(FailingReader, ItsEndIsAnError) {
   EXPECT_EQ(error_of("abort"), "its reader failed (signal 6, Aborted)");
+#ifndef __SANITIZE_ADDRESS__  // which makes it exit code 1
   EXPECT_EQ(error_of("crash"), "its reader failed (signal 11, Segmentation fault)");
+#endif
   EXPECT_EQ(error_of("leave"), "its reader failed (exit code 7)");
   EXPECT_EQ(error_of("nothing"), "its reader failed (it ended before its answer did)");
 }
 
 TEST_F(FailingReader, ALoopIsEnded) {
-  EXPECT_EQ(error_of("loop"), "its reader failed (it took longer than 1 s of processor time)");
+  EXPECT_EQ(error_of("loop"), "its reader failed (it took longer than 1 s of processor time)");  // as it told
   EXPECT_EQ(error_of("sleep", std::chrono::seconds(1)), "its reader failed (it took longer than 1 s)");
 }
 

@@ -274,7 +274,7 @@ int main_with(int argc, char** argv) {
   options.add("-o,--output", settings.output, "What is written").shows_default();
   options.add("LAUNCHER", settings.launcher, "Words before each program (after --)");
   options.when_read([] {});
-  if (const auto code = line.read(argc, argv)) return *code;
+  if (!line.read(argc, argv)) return 0;
   return Check(std::move(settings)).run();
 }
 
