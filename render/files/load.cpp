@@ -14,8 +14,8 @@
 #include "render/files/geometry.h"
 #include "render/files/header_text.h"
 #include "render/files/kinds.h"
-
 #include "render/files/open_choice.h"
+#include "render/files/other_formats.h"
 #include "render/files/raw_reader.h"
 #include "render/files/read_beside.h"
 #include "render/volume/builtin.h"
@@ -50,7 +50,8 @@ constexpr Reader readers[] = {
      read_form<FileForm::mrc>},
     {{"VTK", ".vtk", "legacy structured points, binary or ASCII; ?array=NAME for one of several"},
      read_form<FileForm::vtk>},
-    {{"VTK XML", ".vti", "image data: text, base64 or appended, also by zlib; ?array=NAME for one of several"},
+    {{"VTK XML", ".vti",
+      "image data, in pieces too: text, base64 or appended, also by zlib; ?array=NAME for one of several"},
      read_form<FileForm::vti>},
     {{"NumPy", ".npy", "arrays [z][y][x], [frame][z][y][x] or [z][y][x][component], in C or Fortran order"},
      read_form<FileForm::npy>},
@@ -100,6 +101,8 @@ Volume read_folder(const FileRequest& request) {
 Volume read_file_or_folder(const FileRequest& request) {
   const std::string name = request.name();
   if (access(request.path.c_str(), R_OK) != 0) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
+  if (const std::string how = how_to_convert(request.path); !how.empty() && !request.query.contains("size"))
+    throw Error(fmt::format("{}: {}", name, how));
   if (fs::is_directory(request.path)) return read_folder(request);
   if (!fs::is_regular_file(request.path)) throw Error(fmt::format("{}: neither a file nor a folder", name));
   if (request.query.contains("size")) return read_raw(request);

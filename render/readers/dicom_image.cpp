@@ -91,8 +91,17 @@ void take_group(const gdcm::DataSet& group, DicomImage& image) {
     add_mark("image type", dicom_text(item, Tag(0x0008, 0x9007)), image);
 }
 
+/// GDCM would end the program.
+void check_planes(const fs::path& file, const gdcm::DataSet& set) {
+  const double planes = dicom_binary(set, Tag(0x0028, 0x0006)).value_or(0);
+  if (planes > 1)
+    throw Error(
+        fmt::format("{}: its planar configuration is {}, which may be 0 or 1", file.string(), planes));
+}
+
 /// What holds for all of a file's frames.
 DicomImage common_of(const fs::path& file, const gdcm::DataSet& set) {
+  check_planes(file, set);
   DicomImage image;
   image.file = file;
   image.series = dicom_text(set, Tag(0x0020, 0x000e));

@@ -56,22 +56,24 @@ glm::dvec3 three_reals(const BinaryFields& f, std::size_t offset) {
   return {f.at<float>(offset), f.at<float>(offset + 4), f.at<float>(offset + 8)};
 }
 
+std::int32_t extended_bytes(const BinaryFields& f) { return f.at<std::int32_t>(92); }
+
 bool has_sizes(const BinaryFields& f) {
   constexpr std::int32_t greatest_mode = 1000;
   const glm::ivec3 n = three(f, 0);
   const auto mode = f.at<std::int32_t>(12);
-  return n.x > 0 && n.y > 0 && n.z > 0 && mode >= 0 && mode < greatest_mode && f.at<std::int32_t>(92) >= 0;
+  return n.x > 0 && n.y > 0 && n.z > 0 && mode >= 0 && mode < greatest_mode;
 }
 
 /// Whether the file is as long as the header says, read in this byte order.
 bool fits(const BinaryFields& f, std::uint64_t file_bytes) {
   const auto mode = mode_of(f);
-  if (!has_sizes(f) || !mode) return false;
+  if (!has_sizes(f) || !mode || extended_bytes(f) < 0) return false;
   const glm::ivec3 n = three(f, 0);
   const auto plane = checked_product(std::uint64_t(n.x) * std::uint64_t(n.y), std::uint64_t(n.z));
   const auto bytes = plane ? checked_product(*plane, mode->components * size_of(mode->type)) : plane;
   return bytes && *bytes <= file_bytes &&
-         header_size + std::uint64_t(f.at<std::int32_t>(92)) <= file_bytes - *bytes;
+         header_size + std::uint64_t(extended_bytes(f)) <= file_bytes - *bytes;
 }
 
 /// In the order that the stamp says; where it says none, or one in which nothing fits, in that which fits.
@@ -81,7 +83,7 @@ BinaryFields in_byte_order(const std::string& name, std::string_view head, std::
   const bool big = stamp == 0x11, little = stamp == 0x44;
   const BinaryFields said{head, big == (std::endian::native == std::endian::little)};
   const BinaryFields other{head, !said.swapped};
-  if ((big || little) && has_sizes(said)) return said;
+  if ((big || little) && has_sizes(said) && extended_bytes(said) >= 0) return said;
   const auto text = [](const BinaryFields& f) {
     return f.swapped == (std::endian::native == std::endian::little) ? "big-endian" : "little-endian";
   };
@@ -91,10 +93,17 @@ BinaryFields in_byte_order(const std::string& name, std::string_view head, std::
                        big || little ? "wrong" : "missing", text(f));
     return f;
   }
-  throw Error(fmt::format("{}: not an MRC file: its header has sizes {} {} {} and mode {}{}", name,
-                          said.at<std::int32_t>(0), said.at<std::int32_t>(4), said.at<std::int32_t>(8),
-                          said.at<std::int32_t>(12),
-                          big || little ? "" : ", and no stamp that says the byte order"));
+  const BinaryFields& likelier = has_sizes(said) ? said : has_sizes(other) ? other : said;
+  const glm::ivec3 n = three(likelier, 0);
+  const std::string as =
+      fmt::format("sizes {} {} {} and mode {}", n.x, n.y, n.z, likelier.at<std::int32_t>(12));
+  const std::string stamp_fault = big || little ? "" : ", and no stamp that says the byte order";
+  if (!has_sizes(likelier))
+    throw Error(fmt::format("{}: not an MRC file: its header has {}{}", name, as, stamp_fault));
+  throw Error(
+      fmt::format("{}: its header has {} ({}) behind an extended header of {} bytes, which its {} bytes "
+                  "do not hold{}",
+                  name, as, text(likelier), extended_bytes(likelier), file_bytes, stamp_fault));
 }
 
 /// Which axis of space each of the file's axes is, from 0: MAPC, MAPR and MAPS.
@@ -172,7 +181,7 @@ VoxelHeader read_mrc_header(const fs::path& path) {
   header.type = mode->type;
   header.endian =
       f.swapped == (std::endian::native == std::endian::little) ? std::endian::big : std::endian::little;
-  header.data = {{path}, header_size + std::uint64_t(f.at<std::int32_t>(92)), Encoding::raw};
+  header.data = {{path}, header_size + std::uint64_t(extended_bytes(f)), Encoding::raw};
   take_layout(name, f, *mode, order, header);
   header.component_names = colour_names(mode->components);
   take_geometry(f, order, header);

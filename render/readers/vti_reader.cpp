@@ -16,6 +16,7 @@
 #include "render/readers/text_voxels.h"
 #include "render/readers/voxel_reader.h"
 #include "render/readers/vti_data.h"
+#include "render/readers/vti_pieces.h"
 
 namespace crest {
 namespace {
@@ -97,44 +98,56 @@ VtiCoding coding_of(const std::string& name, pugi::xml_node root) {
   return coding;
 }
 
-/// The points of the piece, and the volume's geometry.
-void take_geometry(const std::string& name, pugi::xml_node image, pugi::xml_node piece, bool of_cells,
-                   VoxelHeader& header) {
-  const auto whole = numbers_of<6>(name, image, "WholeExtent", {});
-  const auto extent = numbers_of<6>(name, piece, "Extent", whole);
-  const auto origin = numbers_of<3>(name, image, "Origin", {0, 0, 0});
-  const auto spacing = numbers_of<3>(name, image, "Spacing", {1, 1, 1});
-  const auto direction = numbers_of<9>(name, image, "Direction", {1, 0, 0, 0, 1, 0, 0, 0, 1});
-  if (extent != whole) add_note(header.note, "the file holds a part of its whole extent");
-  glm::dvec3 first;
+VtiExtent extent_of(const std::string& name, pugi::xml_node piece, VtiExtent whole) {
+  const VtiExtent extent = numbers_of<6>(name, piece, "Extent", whole);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     constexpr double most = 0x1p30;
     const double begin = extent[2 * axis], end = extent[2 * axis + 1];
-    if (!(std::abs(begin) < most && std::abs(end) < most && end >= begin))
+    if (!(std::abs(begin) < most && std::abs(end) < most && end >= begin) || begin != std::floor(begin) ||
+        end != std::floor(end))
       throw Error(fmt::format("{}: its extent from {} to {} is none", name, begin, end));
+  }
+  return extent;
+}
+
+/// How many points, or cells.
+glm::u64vec3 dims_of(const VtiExtent& extent, bool of_cells) {
+  glm::u64vec3 dims;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    dims[int(axis)] = std::uint64_t(extent[2 * axis + 1] - extent[2 * axis]) + (of_cells ? 0 : 1);
+  return dims;
+}
+
+void take_geometry(const std::string& name, pugi::xml_node image, const VtiExtent& extent, bool of_cells,
+                   VoxelHeader& header) {
+  const auto origin = numbers_of<3>(name, image, "Origin", {0, 0, 0});
+  const auto spacing = numbers_of<3>(name, image, "Spacing", {1, 1, 1});
+  const auto direction = numbers_of<9>(name, image, "Direction", {1, 0, 0, 0, 1, 0, 0, 0, 1});
+  header.layout.dims = dims_of(extent, of_cells);
+  glm::dvec3 first;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     const int a = int(axis);
-    header.layout.dims[a] = std::uint64_t(end - begin) + (of_cells ? 0 : 1);
     header.spacing[a] = spacing[axis];
-    first[a] = (begin + (of_cells ? 0.5 : 0)) * spacing[axis];
+    first[a] = (extent[2 * axis] + (of_cells ? 0.5 : 0)) * spacing[axis];
     for (std::size_t row = 0; row < 3; ++row) header.direction[a][int(row)] = direction[3 * row + axis];
   }
   header.origin = glm::dvec3(origin[0], origin[1], origin[2]) + header.direction * first;
 }
 
-/// The bytes of one array in the file's order; text's in the machine's, which `header` then says.
+bool is_text(pugi::xml_node array) { return std::string_view(array.attribute("format").value()) == "ascii"; }
+
+/// The bytes of an array of so many values, in the file's order; text's in the machine's.
 std::vector<std::byte> read_array(const FileRequest& request, const VtiText& text, pugi::xml_node array,
-                                  const VtiCoding& coding, VoxelHeader& header) {
+                                  const VtiCoding& coding, ScalarType type, std::uint64_t values) {
   const std::string name = request.name(), format = array.attribute("format").value();
-  const std::uint64_t values = header.layout.stored_values(), bytes = values * size_of(header.type);
-  header.endian = coding.endian;
-  if (format == "ascii") {
-    header.endian = std::endian::native;
+  const std::uint64_t bytes = values * size_of(type);
+  if (is_text(array)) {
     std::istringstream stream(array.child_value());
     const auto at = array.first_child().offset_debug();
     const auto line = at < 0 ? 0 : std::count(text.xml.begin(), text.xml.begin() + at, '\n');
     WordStream stream_words(stream, std::size_t(line) + 1);
     std::vector<std::byte> out;
-    read_numbers(name, stream_words, {header.type, values, 0, values}, out);
+    read_numbers(name, stream_words, {type, values, 0, values}, out);
     return out;
   }
   if (format == "binary") return read_vti_base64(name, array.child_value(), coding, bytes);
@@ -164,10 +177,59 @@ pugi::xml_node image_of(const std::string& name, const pugi::xml_document& docum
                             one_line(type.substr(0, 40))));
   }
   const pugi::xml_node image = root.child("ImageData");
-  const auto pieces = image.children("Piece");
-  const auto count = std::distance(pieces.begin(), pieces.end());
-  if (count == 1) return image;
-  throw Error(fmt::format("{}: it has {} pieces, and a volume is one: write it as one piece", name, count));
+  if (image.child("Piece")) return image;
+  throw Error(fmt::format("{}: it has no pieces", name));
+}
+
+/// Of one piece of the file: what the chosen array holds of it.
+struct Piece {
+  VtiExtent extent;
+  pugi::xml_node array;
+};
+
+/// The array of this name in each piece; the others have to be as the first one is.
+std::vector<Piece> pieces_of(const std::string& name, pugi::xml_node image, const char* section,
+                             const std::string& array_name) {
+  const auto whole = numbers_of<6>(name, image, "WholeExtent", {});
+  std::vector<Piece> pieces;
+  for (const pugi::xml_node piece : image.children("Piece")) {
+    const auto arrays = arrays_in(piece.child(section));
+    const auto found = std::ranges::find_if(arrays, [&](const pugi::xml_node& array) {
+      return one_line(array.attribute("Name").value()) == array_name;
+    });
+    if (found == arrays.end())
+      throw Error(fmt::format("{}: its piece {} has no array \"{}\"", name, pieces.size() + 1, array_name));
+    const auto says = [&](const char* key) { return std::string_view(found->attribute(key).value()); };
+    for (const char* key : {"type", "NumberOfComponents"}) {
+      if (!pieces.empty() && says(key) != pieces[0].array.attribute(key).value())
+        throw Error(fmt::format("{}: {} of \"{}\" is not the same in its pieces", name, key, array_name));
+    }
+    if (!pieces.empty() && is_text(*found) != is_text(pieces[0].array))
+      throw Error(
+          fmt::format("{}: \"{}\" is text in some of its pieces, and not in others", name, array_name));
+    pieces.push_back({extent_of(name, piece, whole), *found});
+  }
+  return pieces;
+}
+
+/// All of a volume's bytes, from its pieces.
+std::vector<std::byte> join_pieces(const FileRequest& request, const VtiText& text,
+                                   const std::vector<Piece>& pieces, const VtiExtent& whole, bool of_cells,
+                                   const VtiCoding& coding, const VoxelHeader& header) {
+  const auto read = [&](const Piece& piece) {
+    const glm::u64vec3 dims = dims_of(piece.extent, of_cells);
+    return read_array(request, text, piece.array, coding, header.type,
+                      dims.x * dims.y * dims.z * header.layout.components);
+  };
+  if (pieces.size() == 1) return read(pieces[0]);
+  VtiGrid grid(header.layout.dims, header.layout.components * size_of(header.type));
+  for (const Piece& piece : pieces) {
+    glm::u64vec3 first;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      first[int(axis)] = std::uint64_t(piece.extent[2 * axis] - whole[2 * axis]);
+    grid.put(read(piece), first, dims_of(piece.extent, of_cells));
+  }
+  return grid.take(request.name());
 }
 
 }  // namespace
@@ -194,18 +256,24 @@ Volume read_vti(const FileRequest& request) {
   if (arrays.empty()) throw Error(fmt::format("{}: the VTK file has no arrays of its points or cells", name));
   std::vector<std::string> names;
   for (const pugi::xml_node array : arrays) names.emplace_back(one_line(array.attribute("Name").value()));
-  const pugi::xml_node array =
-      arrays[choose_array(request, names, data.attribute("Scalars").value(), header.note)];
+  const std::size_t chosen = choose_array(request, names, data.attribute("Scalars").value(), header.note);
+  const std::vector<Piece> pieces = pieces_of(name, image, data.name(), names[chosen]);
+  std::vector<VtiExtent> extents;
+  for (const Piece& one : pieces) extents.push_back(one.extent);
+  const VtiExtent whole = joined(extents);
+  if (whole != numbers_of<6>(name, image, "WholeExtent", whole))
+    add_note(header.note, "the file holds a part of its whole extent");
+  if (pieces.size() > 1) add_note(header.note, fmt::format("joined from {} pieces", pieces.size()));
 
-  take_geometry(name, image, piece, of_cells, header);
+  const pugi::xml_node array = pieces[0].array;
+  take_geometry(name, image, whole, of_cells, header);
   header.type = type_of(name, array.attribute("type").value());
   const auto components = array.attribute("NumberOfComponents").as_ullong(1);
   header.layout = interleaved(header.layout.dims, components);
   const VtiCoding coding = coding_of(name, document.child("VTKFile"));
-  const bool is_text = std::string_view(array.attribute("format").value()) == "ascii";
-  header.endian = is_text ? std::endian::native : coding.endian;
+  header.endian = is_text(array) ? std::endian::native : coding.endian;
   return read_voxels(request, header, ",array", [&](std::uint64_t first, std::uint64_t count) {
-    std::vector<std::byte> bytes = read_array(request, text, array, coding, header);
+    std::vector<std::byte> bytes = join_pieces(request, text, pieces, whole, of_cells, coding, header);
     const auto size = std::ptrdiff_t(size_of(header.type));
     bytes.erase(bytes.begin() + std::ptrdiff_t(first + count) * size, bytes.end());
     bytes.erase(bytes.begin(), bytes.begin() + std::ptrdiff_t(first) * size);

@@ -172,5 +172,38 @@ TEST_F(Axes, IntegersThatFloatMergesAreSaidAndCanBeKeptApart) {
   for (int i = 0; i < 60; ++i) EXPECT_EQ(apart.values[std::size_t(i)], float(i));
 }
 
+TEST_F(Axes, NiftiColoursAreComponents) {
+  std::string header = nifti_header(uint8, endian::little, 1, 0);
+  header = with(header, 70, bytes_of({128, 24}, int16));
+  std::string voxels;
+  for (int i = 0; i < 180; ++i) voxels += char(i);
+  const std::string file = write("rgb.nii", header + voxels);
+  expect_error(file, {"3 components (red, green, blue)", "?component=0"});
+  for (int component = 0; component < 3; ++component) {
+    const Volume volume = load_volume(fmt::format("{}?component={}", file, component));
+    for (int i = 0; i < 60; ++i) EXPECT_EQ(volume.values[std::size_t(i)], float(3 * i + component));
+  }
+}
+
+TEST_F(Axes, HowTheyLieIsSaid) {
+  const auto note_of = [&](std::initializer_list<double> rows) {
+    std::string header = nifti_header(int16, endian::little, 1, 0);
+    header = with(with(header, 254, bytes_of({1}, int16)), 280, bytes_of(rows, float32));
+    return load_volume(write("v.nii", header + voxel_bytes(int16, endian::little))).note;
+  };
+  // NIfTI counts to the right and the front, where DICOM counts to the left and the back
+  EXPECT_EQ(note_of({-1, 0, 0, 0, 0, -2, 0, 0, 0, 0, 3, 0}).find("axes"), std::string::npos);
+  EXPECT_NE(note_of({1, 0, 0, 0, 0, -2, 0, 0, 0, 0, 3, 0}).find("mirrored (left-handed)"), std::string::npos);
+  EXPECT_NE(note_of({1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 0}).find("axes are turned"), std::string::npos);
+  EXPECT_NE(note_of({-1, 0, 0, 0, 0, -2, 1, 0, 0, 0, 2.828427, 0}).find("not at right angles"),
+            std::string::npos);
+}
+
+TEST_F(Axes, AnMrcThatDoesNotHoldWhatItSaysIsRefusedInItsOrder) {
+  std::string file = mrc(int16, endian::big).content;
+  file = with(with(file, 212, std::string(4, '\0')), 92, "\xf3\x31\xcb\x64");
+  expect_error(write("none.mrc", file), {"sizes 5 4 3 and mode 1 (big-endian)", "no stamp"});
+}
+
 }  // namespace
 }  // namespace crest::test

@@ -223,5 +223,16 @@ TEST_F(BadInput, NothingIsPrinted) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+TEST_F(BadInput, WhatIsNotReadTellsHowToConvertIt) {
+  std::filesystem::create_directory(path("v.zarr"));
+  write("v.zarr/.zgroup", "{}");
+  const std::pair<std::string, const char*> files[] = {{write("v.npz", "PK"), "NumPy"},
+                                                       {write("v.h5", "\x89HDF"), "h5py"},
+                                                       {write("v.HDF5", "\x89HDF"), "h5py"},
+                                                       {path("v.zarr"), "zarr.open"},
+                                                       {path("v.zarr") + "/", "zarr.open"}};
+  for (const auto& [file, part] : files) expect_error(file, {file, part, "python3 -c", "volume.npy"});
+}
+
 }  // namespace
 }  // namespace crest::test

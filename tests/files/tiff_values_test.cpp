@@ -1,6 +1,11 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/core.h>
+#include <tiffio.h>
+#include <zlib.h>
+
+#include <algorithm>
 #include <array>
+#include <functional>
 
 #include "files.h"
 #include "render/files/load.h"
@@ -15,6 +20,7 @@ using std::endian;
 class TiffBytes {
  public:
   int bits = 8, photometric = 1, width = 4, height = 3;
+  bool has_palette = false;
   std::string description;
 
   std::string file(const std::vector<std::string>& pages) const {
@@ -26,15 +32,19 @@ class TiffBytes {
       const std::size_t data_at = out.size(), text_at = data_at + data.size();
       out += data + description + std::string(1, '\0');
       if (out.size() % 2 != 0) out += '\0';
+      const std::size_t palette_at = out.size();
+      for (int color = 0; has_palette && color < 3 << bits; ++color) put(out, 65535 - 77 * color, uint16);
+      if (out.size() % 2 != 0) out += '\0';
       std::string here;
       put(here, double(out.size()), uint32);
       out.replace(link, 4, here);
-      const std::vector<std::array<double, 4>> entries = {
+      std::vector<std::array<double, 4>> entries = {
           {256, 3, 1, double(width)},       {257, 3, 1, double(height)},
           {258, 3, 1, double(bits)},        {259, 3, 1, 1},
           {262, 3, 1, double(photometric)}, {270, 2, double(description.size() + 1), double(text_at)},
           {273, 4, 1, double(data_at)},     {277, 3, 1, 1},
           {278, 3, 1, double(height)},      {279, 4, 1, double(data.size())}};
+      if (has_palette) entries.push_back({320, 3, double(3 << bits), double(palette_at)});
       put(out, double(entries.size()), uint16);
       for (const auto& [tag, type, count, value] : entries) {
         put(out, tag, uint16);
@@ -54,6 +64,48 @@ class TiffBytes {
   }
 };
 
+struct Parts {
+  int width, height;
+  bool tiled, planes;
+};
+
+/// A page of three 16-bit channels in tiles of 16x16 or strips of 5 rows. `value` is asked beyond the image,
+/// too.
+void write_parts(TIFF* tiff, Parts parts, const std::function<std::uint16_t(int, int, int)>& value) {
+  constexpr int side = 16, rows = 5;
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, parts.width);
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, parts.height);
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 3);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 16);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_RGB);
+  TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
+  TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, parts.planes ? PLANARCONFIG_SEPARATE : PLANARCONFIG_CONTIG);
+  if (parts.tiled) {
+    TIFFSetField(tiff, TIFFTAG_TILEWIDTH, side);
+    TIFFSetField(tiff, TIFFTAG_TILELENGTH, side);
+  } else {
+    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, rows);
+  }
+  const int wide = parts.tiled ? side : parts.width, high = parts.tiled ? side : rows;
+  std::uint32_t index = 0;
+  for (int plane = 0; plane < (parts.planes ? 3 : 1); ++plane) {
+    for (int top = 0; top < parts.height; top += high) {
+      for (int left = 0; left < parts.width; left += wide, ++index) {
+        std::vector<std::uint16_t> part;
+        const int lines = parts.tiled ? high : std::min(high, parts.height - top);
+        for (int y = top; y < top + lines; ++y)
+          for (int x = left; x < left + wide; ++x)
+            for (int c = 0; c < (parts.planes ? 1 : 3); ++c) part.push_back(value(plane + c, x, y));
+        const auto size = tmsize_t(2 * part.size());
+        EXPECT_EQ(parts.tiled ? TIFFWriteEncodedTile(tiff, index, part.data(), size)
+                              : TIFFWriteEncodedStrip(tiff, index, part.data(), size),
+                  size);
+      }
+    }
+  }
+  TIFFWriteDirectory(tiff);
+}
+
 class TiffValues : public FileTest {
  protected:
   /// Pages of 8-bit pixels: 20 page + pixel.
@@ -67,7 +119,46 @@ class TiffValues : public FileTest {
   }
 };
 
-TEST_F(TiffValues, MinIsWhiteAndPalettesKeepWhatIsStored) {
+TEST_F(TiffValues, PalettesKeepTheNumbersOfTheirColours) {
+  TiffBytes tiff;
+  tiff.photometric = 3;
+  tiff.has_palette = true;
+  const Volume volume = load_volume(write("palette.tif", tiff.file(pages(3))));
+  for (int i = 0; i < 36; ++i) EXPECT_EQ(volume.values[std::size_t(i)], float(20 * (i / 12) + i % 12));
+  EXPECT_NE(volume.note.find("numbers of colours"), std::string::npos) << volume.note;
+}
+
+// Tiles of 16x16, which stand out over the image at its right and lower edge, and planes of each channel.
+TEST_F(TiffValues, TilesAndPlanesAreJoined) {
+  constexpr int width = 21, height = 18;
+  const auto value = [](int page, int channel, int x, int y) {
+    return std::uint16_t(1000 * page + 7000 * channel + 40 * y + x);
+  };
+  for (const bool tiled : {false, true}) {
+    for (const bool planes : {false, true}) {
+      SCOPED_TRACE(fmt::format("tiled {} planes {}", tiled, planes));
+      const std::string file = write("parts.tif", "");
+      TIFF* tiff = TIFFOpen(file.c_str(), "w");
+      ASSERT_NE(tiff, nullptr);
+      for (int page = 0; page < 2; ++page) {
+        write_parts(tiff, {width, height, tiled, planes}, [&](int channel, int x, int y) {
+          return x < width && y < height ? value(page, channel, x, y) : std::uint16_t(0xdead);
+        });
+      }
+      TIFFClose(tiff);
+      for (int channel = 0; channel < 3; ++channel) {
+        const Volume volume = load_volume(fmt::format("{}?component={}", file, channel));
+        EXPECT_EQ(volume.grid.dims, glm::ivec3(width, height, 2));
+        for (int page = 0; page < 2; ++page)
+          for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+              ASSERT_EQ(volume.at(x, y, page), float(value(page, channel, x, y)));
+      }
+    }
+  }
+}
+
+TEST_F(TiffValues, MinIsWhiteKeepsWhatIsStored) {
   TiffBytes tiff;
   for (const int photometric : {0, 1}) {
     tiff.photometric = photometric;
@@ -185,6 +276,58 @@ TEST_F(TiffValues, PngsAlphaMultipliesNothing) {
   const Volume volume = load_volume(path("png") + "?component=0");
   EXPECT_EQ(volume.at(0, 0, 0), 200.f);
   EXPECT_EQ(volume.at(1, 0, 0), 201.f);
+}
+
+/// A PNG file of 5x2 pixels: grey, or numbers of colours in a palette.
+std::string png(int bits, bool palette, const std::string& rows) {
+  const auto number = [](std::uint32_t value) {
+    std::string out;
+    append_value(out, value, uint32, endian::big);
+    return out;
+  };
+  const auto chunk = [&](const std::string& type, const std::string& data) {
+    const std::string checked = type + data;
+    const auto sum = crc32(0, reinterpret_cast<const Bytef*>(checked.data()), uInt(checked.size()));
+    return number(std::uint32_t(data.size())) + checked + number(std::uint32_t(sum));
+  };
+  uLongf size = compressBound(rows.size());
+  std::string packed(size, '\0');
+  compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()),
+           rows.size());
+  packed.resize(size);
+  const std::string head = number(5) + number(2) + char(bits) + char(palette ? 3 : 0) + std::string(3, '\0');
+  std::string colors;
+  for (int i = 0; i < 3 << bits; ++i) colors += char(255 - 50 * i);
+  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", head) + (palette ? chunk("PLTE", colors) : "") +
+         chunk("IDAT", packed) + chunk("IEND", "");
+}
+
+TEST_F(TiffValues, PngsOfFewBitsAndWithAPalette) {
+  for (const bool palette : {false, true}) {
+    for (const int bits : {1, 2, 4}) {
+      const auto value = [&](int page, int x, int y) { return (7 * page + 3 * x + y) % (1 << bits); };
+      std::filesystem::remove_all(path("few"));
+      for (int page = 0; page < 2; ++page) {
+        std::string rows;
+        for (int y = 0; y < 2; ++y) {
+          std::uint32_t row = 0;
+          for (int x = 0; x < 5; ++x) row = row << bits | std::uint32_t(value(page, x, y));
+          const int bytes = (5 * bits + 7) / 8;
+          row <<= 8 * bytes - 5 * bits;
+          rows += '\0';  // no filter
+          for (int b = bytes - 1; b >= 0; --b) rows += char(row >> (8 * b) & 0xff);
+        }
+        write(fmt::format("few/{}.png", page), png(bits, palette, rows));
+      }
+      const Volume volume = load_volume(path("few"));
+      EXPECT_EQ(volume.grid.dims, glm::ivec3(5, 2, 2));
+      for (int page = 0; page < 2; ++page)
+        for (int y = 0; y < 2; ++y)
+          for (int x = 0; x < 5; ++x)
+            EXPECT_EQ(volume.at(x, y, page), float(value(page, x, y))) << bits << palette;
+      EXPECT_EQ(volume.note.find("numbers of colours") != std::string::npos, palette) << volume.note;
+    }
+  }
 }
 
 }  // namespace

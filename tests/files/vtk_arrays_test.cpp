@@ -150,5 +150,43 @@ TEST_F(VtkArrays, XmlAsTextAndWhatIsWrongWithIt) {
       {"u.vti", "array"});
 }
 
+/// A piece of the ramp x + 10 y + 100 z over points [x0, x1] of a 5x4x3 grid.
+std::string ramp_piece(int x0, int x1, bool cells = false) {
+  const int inner = cells ? 1 : 0;
+  std::string values;
+  for (int z = 0; z < 3 - inner; ++z)
+    for (int y = 0; y < 4 - inner; ++y)
+      for (int x = x0; x <= x1 - inner; ++x) values += fmt::format("{} ", x + 10 * y + 100 * z);
+  const char* section = cells ? "CellData" : "PointData";
+  return fmt::format(
+      "<Piece Extent=\"{} {} 0 3 0 2\"><{}><DataArray type=\"Int16\" Name=\"d\" "
+      "format=\"ascii\">{}</DataArray>"
+      "</{}></Piece>\n",
+      x0, x1, section, values, section);
+}
+
+std::string in_pieces(const std::string& pieces) {
+  return "<VTKFile type=\"ImageData\">\n<ImageData WholeExtent=\"0 4 0 3 0 2\" Origin=\"10 20 30\" "
+         "Spacing=\"1 2 3\">\n" +
+         pieces + "</ImageData>\n</VTKFile>\n";
+}
+
+TEST_F(VtkArrays, XmlInSeveralPieces) {
+  const Volume volume = load_volume(write("p.vti", in_pieces(ramp_piece(2, 4) + ramp_piece(0, 2))));
+  EXPECT_EQ(volume.grid, (Grid{{5, 4, 3}, {1, 2, 3}, {10, 20, 30}}));
+  for (int z = 0; z < 3; ++z)
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 5; ++x) EXPECT_EQ(volume.at(x, y, z), float(x + 10 * y + 100 * z));
+  EXPECT_NE(volume.note.find("2 pieces"), std::string::npos) << volume.note;
+  const Volume cells =
+      load_volume(write("c.vti", in_pieces(ramp_piece(0, 1, true) + ramp_piece(1, 4, true))));
+  EXPECT_EQ(cells.grid, (Grid{{4, 3, 2}, {1, 2, 3}, {10.5, 21, 31.5}}));
+  EXPECT_EQ(cells.at(3, 2, 1), 123.f);
+  expect_error(write("gap.vti", in_pieces(ramp_piece(0, 1) + ramp_piece(3, 4))), {"12 of 60 points"});
+  std::string other = ramp_piece(2, 4);
+  other.replace(other.find("\"d\""), 3, "\"e\"");
+  expect_error(write("other.vti", in_pieces(ramp_piece(0, 2) + other)), {"piece 2", "\"d\""});
+}
+
 }  // namespace
 }  // namespace crest::test

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace crest {
+
+/// What a file or folder of a format that is not read is, and the command that converts it to one that is:
+/// HDF5, Zarr and NumPy's archives, by their extensions. Empty for others.
+std::string how_to_convert(const std::filesystem::path& path);
+
+}  // namespace crest
