@@ -166,8 +166,10 @@ void Window::set_style(float scale, Theme theme) {
 }
 
 void Window::begin_frame() {
-  // What a mouse button ends is over before the keys count that came after it
-  if (!std::exchange(input_.released, false)) tell_keys(window_, input_.keys);
+  // What a mouse button ends is over before the keys count that came after it. One that went down and up
+  // since the last frame ends in the second from now.
+  const bool goes_up = ImGui::IsAnyMouseDown() && !is_mouse_down();
+  if (!std::exchange(input_.released, false) && !goes_up) tell_keys(window_, input_.keys);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   // A press counts where it was, however far the mouse has come since

@@ -57,9 +57,10 @@ bool only_opened(const WidgetState& widgets) {
          });
 }
 
-/// What is typed now may be meant for a field that is not open yet.
+/// Or what is typed now is meant for a field that is not open yet. Dear ImGui wants text for a frame more
+/// after a field was closed, and keys that follow Enter at once must count.
 bool is_typing(const WidgetState& widgets) {
-  return ImGui::GetIO().WantTextInput || widgets.ahead.field != 0;
+  return (ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive()) || widgets.ahead.field != 0;
 }
 
 bool counts(KeyWhen when, const WidgetState& widgets) {

@@ -82,6 +82,17 @@ TEST_F(Actions, ALetterThatIsACommandIsNotTypedIntoTheFieldThatItOpens) {
   EXPECT_EQ(tf().points[state->editor.selection[0]].value, 42);
 }
 
+TEST_F(Actions, AKeyRightAfterEnterCounts) {
+  key('P');
+  frames(4);
+  ImGui::GetIO().KeysDown[key::enter] = true;
+  frame();
+  ImGui::GetIO().KeysDown[key::enter] = false;
+  const std::size_t before = tf().points.size();
+  key('S');
+  EXPECT_GT(tf().points.size(), before);
+}
+
 TEST_F(Actions, LeadToEachTab) {
   for (const char* const tab : tab_names) {
     action_named(fmt::format("Go to {}", tab)).run(context());
