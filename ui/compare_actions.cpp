@@ -21,7 +21,7 @@ bool compare(ViewsState& views, ComparisonKind kind) {
   const int view = subject(views);
   if (!compares_view(views, view)) {
     const int next = (view + 1) % view_count;
-    views.comparison = Comparison{.view = view, .with = views.contents[std::size_t(next)], .follows = next};
+    choose_other(views, view, views.contents[std::size_t(next)], next);
   }
   views.comparison->kind = kind;
   return false;
@@ -29,11 +29,10 @@ bool compare(ViewsState& views, ComparisonKind kind) {
 
 bool compare_with_snapshot(const ActionContext& c) {
   ViewsState& views = c.state.views;
-  Comparison comparison = views.comparison.value_or(Comparison{});
-  comparison.view = subject(views);
-  comparison.with = views.contents[std::size_t(comparison.view)];
-  comparison.with.other = take_snapshot(views, c.document.preset);
-  views.comparison = comparison;
+  const int view = subject(views);
+  ViewContent with = views.contents[std::size_t(view)];
+  with.other = take_snapshot(views, c.document.preset);
+  choose_other(views, view, with);
   return false;
 }
 

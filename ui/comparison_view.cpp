@@ -40,14 +40,6 @@ std::string difference_text(const Comparison& comparison, const DifferencePictur
                      difference.rmse, difference.max, 100 * difference.share);
 }
 
-void choose_other(ViewsState& views, int index, const ViewContent& with, std::optional<int> follows = {}) {
-  Comparison comparison = views.comparison.value_or(Comparison{});
-  comparison.view = index;
-  comparison.with = with;
-  comparison.follows = follows;
-  views.comparison = comparison;
-}
-
 void other_items(int index, StudioState& state, const StudioInputs& inputs, const Preset& preset) {
   ViewsState& views = state.views;
   const ViewContent& own = views.contents[std::size_t(index)];
@@ -107,6 +99,14 @@ void take_other_preset(ViewsState& views, const std::string& file) {
   } catch (const std::exception& error) {
     views.error = error.what();
   }
+}
+
+void choose_other(ViewsState& views, int index, const ViewContent& with, std::optional<int> follows) {
+  Comparison comparison = views.comparison.value_or(Comparison{});
+  comparison.view = index;
+  comparison.with = with;
+  comparison.follows = follows;
+  views.comparison = comparison;
 }
 
 bool compares_view(const ViewsState& views, int index) {

@@ -14,6 +14,9 @@ void take_other_preset(ViewsState& views, const std::string& file);
 /// Whether the view is the one that is compared.
 bool compares_view(const ViewsState& views, int index);
 
+/// Compares the view with something else, in the way that is chosen; `follows` is Comparison::follows.
+void choose_other(ViewsState& views, int index, const ViewContent& with, std::optional<int> follows = {});
+
 /// Chooses what a view is compared with, and how. To be called in a popup.
 void comparison_menu(int index, StudioState& state, const StudioInputs& inputs, const Preset& preset);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/navigation.h"
+#include "ui/questions.h"
 #include "ui/style.h"
 
 namespace crest {
@@ -51,10 +52,10 @@ void parts_choice(WidgetState& widgets, TfParts& take) {
 
 void import_dialog(StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   ImportDialog& dialog = state.import_dialog;
-  if (!inputs.imported.empty() && !ImGui::IsPopupOpen(title)) {
+  if (!inputs.imported.empty() && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
     dialog = {.chosen = -1, .take = inputs.import_take, .fit = false};
     choose(dialog, inputs.imported, 0);
-    ImGui::OpenPopup(title);
+    open_when_free(title);
   }
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});

@@ -105,7 +105,7 @@ void opening_dialog(StudioState& state, const StudioInputs& inputs, StudioReques
   const OpenChoice& choice = inputs.opening->choice;
   const std::string title = title_of(choice);
   if (opening.about != choice) begin(opening, *inputs.opening);
-  if (!ImGui::IsPopupOpen(title.c_str())) ImGui::OpenPopup(title.c_str());
+  open_when_free(title.c_str());
   center_next_window();
   if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
                               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize))

@@ -14,6 +14,10 @@ void center_next_window() {
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});
 }
 
+void open_when_free(const char* title) {
+  if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) ImGui::OpenPopup(title);
+}
+
 void ask_for_file(StudioState& state, const Document& document, FilePurpose purpose) {
   const std::string source = document.volume_source.substr(0, document.volume_source.find('?'));
   const bool is_file = !source.empty() && !source.starts_with("builtin:");
@@ -26,6 +30,8 @@ void ask_for_file(StudioState& state, const Document& document, FilePurpose purp
 }
 
 namespace {
+
+constexpr const char* unsaved_title = "Unsaved changes";
 
 /// What would lose changes goes from the requests into `leaving`.
 void hold_back(StudioState& state, StudioRequests& requests) {
@@ -55,10 +61,9 @@ void unsaved_question(Document& document, StudioState& state, const StudioInputs
   if (!state.leaving.is_any() || state.leaving.once_saved) return;
   if (state.widgets.number_taken) return;  // whether what was typed last is saved is known in the next frame
   if (!inputs.unsaved_changes) return let_go(state, requests);
-  constexpr const char* title = "Unsaved changes";
-  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  if (!ImGui::IsPopupOpen(unsaved_title)) ImGui::OpenPopup(unsaved_title);
   center_next_window();
-  if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+  if (!ImGui::BeginPopupModal(unsaved_title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
   ImGui::Text("%s has changes that are not saved:", preset_label(document).c_str());
   if (inputs.saved) change_list(state.changes, *inputs.saved, document.preset, 8);
   ImGui::Spacing();
@@ -96,7 +101,8 @@ void saving_question(StudioState& state, const StudioInputs& inputs, StudioReque
   }
   if (!state.quits_when_saved) return;
   constexpr const char* title = "A picture is being saved";
-  if (is_saving && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  // Of two questions the one about what would be lost comes first
+  if (is_saving && !ImGui::IsPopupOpen(title) && !ImGui::IsPopupOpen(unsaved_title)) ImGui::OpenPopup(title);
   center_next_window();
   if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
   requests.animates = true;  // how far it is

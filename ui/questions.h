@@ -17,6 +17,10 @@ void saving_question(StudioState& state, const StudioInputs& inputs, StudioReque
 /// Of a window that asks something.
 void center_next_window();
 
+/// Opens the window of this name, for something to be asked, unless it is open; it waits until nothing else
+/// is, for it would close that.
+void open_when_free(const char* title);
+
 /// Opens the file dialog beside the document's preset or volume.
 void ask_for_file(StudioState& state, const Document& document, FilePurpose purpose);
 

@@ -4,6 +4,7 @@
 
 #include "presets/preset_file.h"
 #include "tests/ui/harness.h"
+#include "ui/actions.h"
 
 namespace crest::test {
 namespace {
@@ -129,6 +130,20 @@ TEST_F(Compare, ASnapshotStaysAsItWas) {
   EXPECT_EQ(asked().view, 3);
   EXPECT_EQ(asked().with.other->preset, before);
   EXPECT_EQ(asked().with.mode, requests.contents[3].mode);
+}
+
+TEST_F(Compare, ASnapshotTakesThePlaceOfAViewThatWasFollowed) {
+  const ActionContext context{document, *state, inputs, requests};
+  action_named("Compare by the difference").run(context);
+  frames(2);
+  ASSERT_TRUE(asked().follows);
+  action_named("Compare with a snapshot, taken now").run(context);
+  const Preset before = document.preset;
+  tf().points[2].opacity = 0.123;
+  frames(3);
+  EXPECT_EQ(asked().kind, ComparisonKind::difference);
+  ASSERT_TRUE(asked().with.other);
+  EXPECT_EQ(asked().with.other->preset, before);
 }
 
 TEST_F(Compare, BlinkingKeepsTheWindowGoingAndEscapeStopsIt) {

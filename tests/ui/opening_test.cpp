@@ -61,6 +61,31 @@ TEST_F(ChoiceOfOptions, EscapeOpensNothing) {
   EXPECT_FALSE(has("open chosen"));
 }
 
+TEST_F(ChoiceOfOptions, TheQuestionAboutUnsavedChangesComesFirst) {
+  ask({ChoiceKind::component, "a.nrrd", {}, 3, {}});
+  inputs.unsaved_changes = inputs.close_requested = true;
+  frame();
+  inputs.close_requested = false;
+  for (int i = 0; i < 6; ++i) {
+    frame();
+    EXPECT_FALSE(has("open chosen"));
+  }
+  click("Stay");
+  EXPECT_TRUE(has("open chosen"));
+  EXPECT_EQ(key_of(ImGuiKey_Enter).open_volume, "a.nrrd?component=0");
+}
+
+TEST_F(ChoiceOfOptions, AWindowThatIsOpenStaysOpen) {
+  click("menu/View");
+  click("Settings...");
+  ask({ChoiceKind::component, "a.nrrd", {}, 3, {}});
+  EXPECT_TRUE(has("theme/light"));
+  EXPECT_FALSE(has("open chosen"));
+  click("close settings");
+  EXPECT_FALSE(has("theme/light"));
+  EXPECT_TRUE(has("open chosen"));
+}
+
 TEST_F(RawForm, WhatTheNameSaysIsOneKeyAway) {
   ask_raw("/data/foot_64x32x16.raw", 2 * 64 * 32 * 16);
   EXPECT_EQ(layout().size, glm::ivec3(64, 32, 16));
