@@ -36,8 +36,9 @@ constexpr const char* usage =
     "  crest head.nrrd --preset dirac-shell\n"
     "  crest render builtin:plume?n=128 --preset dirac-shell -o plume.png\n"
     "  crest compare 'head.raw?size=64x64x93&type=int16' --preset my.json -o head.png\n"
-    "VOLUME is a file (NRRD, MetaImage, NIfTI, MRC, VTK, RAW), a folder (DICOM, image\n"
-    "stack), or builtin:NAME?key=value&... (crest list volumes).\n"
+    "VOLUME is a file (NRRD, MetaImage, NIfTI, MRC, VTK, VTK XML, NumPy, DICOM, TIFF,\n"
+    "RAW), a folder (DICOM, image stack), or builtin:NAME?key=value&... (crest list\n"
+    "volumes).\n"
     "Exit codes: 0 done; 1 the work failed; 2 the command line is wrong.\n\n";
 
 /// A closed standard stream would be the next file that is opened, and be printed into. What goes to stdout

@@ -121,8 +121,8 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
   if (!options.frame_log.empty()) write_file_atomically(options.frame_log, log.summary());
 }
 
-/// The window until it is closed. A reader cannot be stopped, and quitting does not wait for it: where a
-/// thread still reads a volume, the program ends without taking apart what the thread uses.
+/// The window until it is closed. Quitting waits for no thread: where one still
+/// reads a volume, the program ends without taking apart what the thread uses.
 void run_window(const StudioOptions& options) {
   Document document = initial_document(options);
   const ReadSettings settings = settings_for(options);

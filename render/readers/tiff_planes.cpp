@@ -12,6 +12,7 @@
 #include "render/files/header_text.h"
 #include "render/readers/tiff_file.h"
 #include "render/readers/voxel_header.h"
+#include "render/volume/memory.h"
 #include "render/volume/query.h"
 
 namespace crest {
@@ -46,14 +47,16 @@ PlaneOrder order_imagej(const std::string& name, const TiffDescription& descript
   };
   PlaneOrder order;
   order.components = count("channels"), order.slices = count("slices"), order.frames = count("frames");
-  const std::size_t planes = order.components * order.slices * order.frames;
+  const auto slices = checked_product(order.components, order.slices);
+  const auto planes = slices ? checked_product(*slices, order.frames) : std::nullopt;
   if (planes == 1)
     order.slices = pages;
   else if (planes != pages)
     throw Error(fmt::format(
         "{}: its ImageJ description tells of {} images ({} channels, {} slices, {} frames), and the "
         "file has {}",
-        name, planes, order.components, order.slices, order.frames, pages));
+        name, planes ? fmt::format("{}", *planes) : "over 2^64", order.components, order.slices, order.frames,
+        pages));
   order.pages.resize(pages);
   for (std::size_t page = 0; page < pages; ++page) {  // channels first, then slices
     const std::size_t component = page % order.components, slice = page / order.components % order.slices;

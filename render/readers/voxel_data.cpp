@@ -11,6 +11,7 @@
 
 #include "presets/error.h"
 #include "render/readers/text_voxels.h"
+#include "render/volume/memory.h"
 
 namespace crest {
 namespace {
@@ -196,10 +197,14 @@ std::uint64_t share_of(const std::string& name, const VoxelData& data, std::uint
 
 void require_room(const std::string& name, const VoxelData& data, std::uint64_t values,
                   std::uint64_t value_size) {
-  const std::uint64_t share = share_of(name, data, values), bytes = share * value_size + data.skip;
+  constexpr std::uint64_t most = std::uint64_t(1) << 60;  // which leaves room for digits, and to add
+  const std::uint64_t share = share_of(name, data, values), files = data.files.size();
+  const auto share_bytes = checked_product(share, value_size);
+  const std::uint64_t bytes = std::min(share_bytes.value_or(most), most) + std::min(data.skip, most);
+  if (bytes > most / files || data.offset > most)
+    throw Error(fmt::format("{}: its header promises voxels beyond any file's end", name));
   std::uint64_t held = 0;
   for (const fs::path& path : data.files) held += bytes_from(name, path, data.at_file_end ? 0 : data.offset);
-  const std::uint64_t files = data.files.size();
   switch (data.encoding) {
     case Encoding::raw:
       for (const fs::path& path : data.files) {

@@ -45,13 +45,13 @@ std::vector<std::byte> inflate_blocks(const std::string& name, const Begin& begi
   if (blocks == 0 || blocks > most_blocks || blocks > promised) throw_length(name, 0, promised);
   const std::vector<std::byte> header = at_least(name, begin, (3 + blocks) * word);
   const std::uint64_t block = length_at(header, 1, coding), last = length_at(header, 2, coding);
-  const bool fits = block > 0 && block <= promised && last <= block;
+  const bool fits = block > 0 && last <= block && blocks == (promised - 1) / block + 1;  // so none overflows
   const std::uint64_t held = fits ? (blocks - 1) * block + (last > 0 ? last : block) : 0;
   if (!fits || held != promised) throw_length(name, held, promised);
   std::uint64_t packed = 0;
   for (std::uint64_t i = 0; i < blocks; ++i) {
     const std::uint64_t length = length_at(header, 3 + i, coding);
-    if (length > compressBound(block))
+    if (length > compressBound(std::min(block, promised)))
       throw Error(fmt::format("{}: the array's compressed data is damaged", name));
     packed += length;
   }

@@ -36,6 +36,7 @@ VtiText read_text(const FileRequest& request) {
   std::ifstream file(request.path, std::ios::binary);
   VtiText text;
   std::string part(block, '\0');
+  std::size_t at = std::string::npos;  // of the mark, whose end may be in a later part
   while (file.read(part.data(), std::streamsize(block)), file.gcount() > 0) {
     const std::size_t before = text.xml.size();
     text.xml.append(part, 0, std::size_t(file.gcount()));
@@ -43,9 +44,10 @@ VtiText read_text(const FileRequest& request) {
       throw Error(fmt::format("{}: not a VTK XML file: it does not begin with \"<\"", request.name()));
     if (text.xml.size() > request.reading.memory / 4)
       throw Error(fmt::format("{}: reading it takes more memory than there is", request.name()));
-    const std::size_t at = text.xml.find(mark, before > mark.size() ? before - mark.size() : 0);
+    if (at == std::string::npos) at = text.xml.find(mark, before > mark.size() ? before - mark.size() : 0);
     if (at == std::string::npos) continue;
-    const std::size_t underscore = text.xml.find('_', text.xml.find('>', at));
+    const std::size_t end = text.xml.find('>', at);
+    const std::size_t underscore = end == std::string::npos ? end : text.xml.find('_', end);
     if (underscore == std::string::npos) continue;
     text.appended_is_base64 = text.xml.substr(at, underscore - at).find("base64") != std::string::npos;
     text.appended = underscore + 1;
@@ -143,8 +145,9 @@ std::vector<std::byte> read_array(const FileRequest& request, const VtiText& tex
   const std::uint64_t bytes = values * size_of(type);
   if (is_text(array)) {
     std::istringstream stream(array.child_value());
-    const auto at = array.first_child().offset_debug();
-    const auto line = at < 0 ? 0 : std::count(text.xml.begin(), text.xml.begin() + at, '\n');
+    // Counted in the text as UTF-8, which may be longer than the file's.
+    const auto at = std::clamp<std::ptrdiff_t>(array.first_child().offset_debug(), 0, std::ssize(text.xml));
+    const auto line = std::count(text.xml.begin(), text.xml.begin() + at, '\n');
     WordStream stream_words(stream, std::size_t(line) + 1);
     std::vector<std::byte> out;
     read_numbers(name, stream_words, {type, values, 0, values}, out);

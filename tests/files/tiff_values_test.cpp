@@ -208,6 +208,12 @@ TEST_F(TiffValues, ImageJsChannelsAndFramesAreTakenApart) {
   expect_error(write("few.tif", tiff.file(pages(11))), {"12 images", "11"});
 }
 
+TEST_F(TiffValues, NumbersThatOverflowToThePagesAreRefused) {
+  TiffBytes tiff;  // their product is 2^64 + 34
+  tiff.description = "ImageJ=1.53t\nchannels=1128506\nslices=1500025\nframes=10897261\n";
+  expect_error(write("wrap.tif", tiff.file(pages(34))), {"1500025 slices", "the file has 34"});
+}
+
 TEST_F(TiffValues, OmesPlanesAreTakenApart) {
   TiffBytes tiff;
   tiff.description =

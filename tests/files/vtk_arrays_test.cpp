@@ -74,9 +74,9 @@ std::string length(std::uint64_t value, bool wide, endian order) {
   return bytes;
 }
 
-/// The array compressed in two blocks: what says their lengths, and they themselves.
-std::pair<std::string, std::string> compressed(const std::string& bytes, bool wide, endian order) {
-  const std::size_t block = 100;
+/// The array compressed in blocks: what says their lengths, and they themselves.
+std::pair<std::string, std::string> compressed(const std::string& bytes, std::size_t block, bool wide,
+                                               endian order) {
   std::string head = length((bytes.size() + block - 1) / block, wide, order) + length(block, wide, order) +
                      length(bytes.size() % block, wide, order);
   std::string data;
@@ -103,10 +103,11 @@ TEST_F(VtkArrays, XmlInEachOfItsForms) {
   int files = 0;
   for (const bool wide : {false, true}) {
     for (const endian order : {endian::little, endian::big}) {
-      for (const bool packed : {false, true}) {
+      for (const std::size_t block : {0, 100, 120, 1 << 15}) {  // VTK's own is longer than a small array
+        const bool packed = block > 0;
         const std::string bytes = voxel_bytes(int16, order);
-        const auto [head, data] =
-            packed ? compressed(bytes, wide, order) : std::pair(length(bytes.size(), wide, order), bytes);
+        const auto [head, data] = packed ? compressed(bytes, block, wide, order)
+                                         : std::pair(length(bytes.size(), wide, order), bytes);
         const std::string attributes = fmt::format("byte_order=\"{}Endian\" header_type=\"UInt{}\"{}",
                                                    order == endian::big ? "Big" : "Little", wide ? 64 : 32,
                                                    packed ? " compressor=\"vtkZLibDataCompressor\"" : "");
@@ -128,7 +129,21 @@ TEST_F(VtkArrays, XmlInEachOfItsForms) {
       }
     }
   }
-  EXPECT_EQ(files, 24);
+  EXPECT_EQ(files, 48);
+}
+
+TEST_F(VtkArrays, WhereTheAppendedDataBeginsMayLieAcrossTwoBlocksOfReading) {
+  const std::string bytes = voxel_bytes(int16, endian::little);
+  const std::string array = "<DataArray type=\"Int16\" Name=\"d\" format=\"appended\" offset=\"0\"/>",
+                    open = "<AppendedData encoding=\"raw\">\n_",
+                    after =
+                        open + length(bytes.size(), false, endian::little) + bytes + "\n</AppendedData>\n";
+  const std::size_t head = vti("", array, after).find(open);
+  for (std::size_t cut = 0; cut <= open.size(); ++cut) {  // so many bytes of it are in the first block
+    const std::string space((std::size_t(1) << 20) - head - cut, ' ');
+    const Volume volume = load_volume(write("v.vti", vti("", array + space, after)));
+    EXPECT_EQ(volume.values[59], float(stored_value(int16, 59))) << cut;
+  }
 }
 
 TEST_F(VtkArrays, XmlAsTextAndWhatIsWrongWithIt) {
@@ -140,6 +155,12 @@ TEST_F(VtkArrays, XmlAsTextAndWhatIsWrongWithIt) {
   EXPECT_NE(volume.note.find("array d, one of d, e"), std::string::npos) << volume.note;
   expect_error(write("u.vti", vti("", open + numbers(59, 0) + "</DataArray>")), {"promises 60"});
   expect_error(write("u.vti", vti("", open + "1 2 x</DataArray>")), {"\"x\"", "line 7"});
+  // In Latin-1, whose characters past ASCII are longer in UTF-8, by more than comes behind the numbers.
+  std::string latin = vti("", open + "1 2 x</DataArray>");
+  latin.replace(
+      0, latin.find('\n'),
+      "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?><!-- " + std::string(100000, '\xe9') + " -->");
+  expect_error(write("u.vti", latin), {"\"x\""});
   expect_error(write("u.vti", vti("", other + other).replace(0, 200, "")), {"u.vti"});
   expect_error(write("u.vti", vti("compressor=\"vtkLZ4DataCompressor\"",
                                   "<DataArray type=\"Int8\" Name=\"d\" "
