@@ -63,7 +63,7 @@ void keys_of(WidgetState& widgets, Section section) {
     const std::string other = text_of(action.other_key);
     line(fmt::format("{}{}{}", key_text_of(action), other.empty() ? "" : ", ", other), action.name.c_str(),
          scaled(160));
-    note_item(widgets, "key/" + action.name);
+    if (ImGui::IsItemVisible()) note_item(widgets, "key/" + action.name);
   }
 }
 

@@ -7,7 +7,7 @@ source "$here/../../tests/window/drive.sh"
 export XDG_CACHE_HOME=$work/cache
 
 # The parts of a window of 1720x1160
-all=1720x1160+0+0 views=1106x1130+0+24 editor=608x590+1112+24 tabs=608x550+1112+584
+all=1720x1160+0+0 views=1106x1130+0+24 editor=608x560+1112+24 tabs=608x550+1112+584
 # shot NAME PART: when the window rests, with the mouse out of the way unless it was put somewhere.
 shot() {
   wait_for 300 is_idle
@@ -75,7 +75,7 @@ xdotool type --delay 60 "spike"
 away
 shot commands $all
 press Escape
-click point/2
+click peak0
 press f
 away
 shot editor $editor

@@ -1,10 +1,5 @@
-<<<<<<< HEAD
 // What reads and writes files, in the bundle: PNG alone, by stb_image, in place of OpenImageIO with
 // its 270 libraries of 360 MB.
-=======
-// What reads and writes files, in the bundle: PNG alone, by stb_image, in place of OpenImageIO with its 260
-// libraries.
->>>>>>> wt-mend-files
 #include <fmt/core.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>

@@ -86,6 +86,10 @@ TEST_F(Keyboard, F6LeadsFromPartToPart) {
 TEST_F(Keyboard, TabGoesToFieldsAndButtonsAndShowsWhere) {
   focus_plot();
   press_key(key::tab);
+  EXPECT_FALSE(ImGui::GetIO().WantTextInput) << "the values of the axis: data, or 0 to 1";
+  EXPECT_TRUE(is_shown());
+  press_key(key::tab);
+  press_key(key::tab);
   EXPECT_TRUE(ImGui::GetIO().WantTextInput) << "the field for the unit distance";
   ctrl('A');
   write("3");

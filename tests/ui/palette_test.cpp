@@ -35,20 +35,20 @@ double least_contrast(ImU32 text, ImU32 ground) {
   return least;
 }
 
-TEST(Palette, TheContrastIsThatOfWcag) {
+TEST(ThemeColors, TheContrastIsThatOfWcag) {
   EXPECT_NEAR(contrast(glm::dvec3(1), glm::dvec3(0)), 21, 1e-9);
   // The grey that is often quoted as the lightest one on white that suffices
   EXPECT_NEAR(contrast(rgb_of(IM_COL32(0x76, 0x76, 0x76, 255)), glm::dvec3(1)), 4.54, 0.01);
 }
 
-TEST(Palette, EveryTextCanBeReadOnItsGround) {
+TEST(ThemeColors, EveryTextCanBeReadOnItsGround) {
   for (const Theme theme : {Theme::dark, Theme::light})
     for (const TextOnGround& pair : texts_on_grounds(palette_of(theme)))
       EXPECT_GE(least_contrast(pair.text_color, pair.ground_color), 4.5)
           << pair.text << " on " << pair.ground << (theme == Theme::dark ? ", dark" : ", light");
 }
 
-TEST(Palette, IsOfTheThemeThatWasApplied) {
+TEST(ThemeColors, IsOfTheThemeThatWasApplied) {
   ImGui::CreateContext();
   for (const Theme theme : {Theme::light, Theme::dark}) {
     apply_style(1, theme);
@@ -59,7 +59,7 @@ TEST(Palette, IsOfTheThemeThatWasApplied) {
   ImGui::DestroyContext();
 }
 
-TEST(Palette, NoTextIsSmallerThan13PixelsAndTitlesAreLarger) {
+TEST(ThemeColors, NoTextIsSmallerThan13PixelsAndTitlesAreLarger) {
   ImGui::CreateContext();
   apply_style(1);
   ImGui::GetIO().Fonts->Build();
