@@ -21,17 +21,14 @@ class OwnImGui {
   OwnImGui(glm::ivec2 size, float scale, Theme theme)
       : before_(ImGui::GetCurrentContext()), own_(ImGui::CreateContext()) {
     ImGui::SetCurrentContext(own_);
-    apply_style(scale, theme);
-    ImGui::GetIO().DisplaySize = {float(size.x), float(size.y)};
-    ImGui_ImplOpenGL3_Init("#version 450 core");
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui::NewFrame();
+    try {
+      begin(size, scale, theme);
+    } catch (...) {
+      end();
+      throw;
+    }
   }
-  ~OwnImGui() {
-    ImGui_ImplOpenGL3_Shutdown();
-    ImGui::DestroyContext(own_);
-    ImGui::SetCurrentContext(before_);
-  }
+  ~OwnImGui() { end(); }
   OwnImGui(const OwnImGui&) = delete;
   OwnImGui& operator=(const OwnImGui&) = delete;
 
@@ -46,6 +43,19 @@ class OwnImGui {
   }
 
  private:
+  static void begin(glm::ivec2 size, float scale, Theme theme) {
+    apply_style(scale, theme);
+    ImGui::GetIO().DisplaySize = {float(size.x), float(size.y)};
+    ImGui_ImplOpenGL3_Init("#version 450 core");
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+  }
+  void end() {
+    if (ImGui::GetIO().BackendRendererUserData) ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext(own_);
+    ImGui::SetCurrentContext(before_);
+  }
+
   ImGuiContext *before_, *own_;
 };
 

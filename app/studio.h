@@ -58,7 +58,9 @@ class Studio {
   bool leaves_thread() const { return loader_.has_thread() || place_match_.has_thread(); }
   bool is_drawing() const {
     return views_.is_busy() || rays_.is_busy();
-  }                                            ///< a view, or the inspected ray, is not done
+  }  ///< a view, or the inspected ray, is not done
+  /// Drawing is done but for what the device still counts.
+  bool awaits_counts() const { return views_.only_counts() && !rays_.is_busy(); }
   bool animates() const { return animates_; }  ///< the window changes by itself, each blink_s
   /// Something of the work in the background may come up soon, has come up.
   bool is_measuring() const {
@@ -168,6 +170,7 @@ class Studio {
   WhatMatters matters_;
   std::optional<LastVolume> last_volume_;
   PlaceMatch place_match_;
+  TransferFunction before_match_;  ///< the preset's, when it began
   SlicePictures slices_;
   std::vector<Imported> imported_;  ///< from imported_from_, while the person chooses
   std::string imported_from_;

@@ -50,8 +50,9 @@ ReadSettings settings_for(const StudioOptions& options) {
 
 constexpr double interactive_ms = 12;  ///< for the views, in a frame in which the person does something
 constexpr double resting_ms = 80;
-constexpr double rest_after_s = 0.25;  ///< since the last input
-constexpr int settling_frames = 3;     ///< that Dear ImGui takes to show what an input did
+constexpr double rest_after_s = 0.25;       ///< since the last input
+constexpr int settling_frames = 3;          ///< that Dear ImGui takes to show what an input did
+constexpr double counting_pause_s = 0.004;  // between looks at what the device counts
 
 Document initial_document(const StudioOptions& options) {
   Document document;
@@ -82,7 +83,10 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
     // At rest the program sleeps; while a volume is read, or something is measured, it looks up now and then
     const bool works = settling > 0 || studio.is_drawing();
     const double pause = studio.is_loading() ? 0.05 : studio.is_measuring() || options.watch ? 0.2 : 1.0;
-    window.poll_events(!works, studio.animates() ? std::min(pause, blink_s / 4) : pause);
+    if (studio.awaits_counts())
+      window.poll_events(true, counting_pause_s);
+    else
+      window.poll_events(!works, studio.animates() ? std::min(pause, blink_s / 4) : pause);
     studio.keep_unsaved_changes();
     if (options.watch && preset_watch.has_changed({studio.document().preset_path})) {
       studio.take_changed_preset();

@@ -83,6 +83,7 @@ void Studio::carry_over(CarryBy by) {
   place_match_.cancel();
   if (by == CarryBy::places) {
     say(fmt::format("Comparing {} with {} ...", last_volume_->name, loaded_.volume->name));
+    before_match_ = document_.preset.transfer_function;
     return place_match_.start(last_volume_->source, loaded_.volume);
   }
   TransferFunction& tf = document_.preset.transfer_function;
@@ -96,6 +97,9 @@ void Studio::take_place_match() {
   if (!outcome || !last_volume_ || !loaded_.volume) return;
   if (!outcome->fit) return say(outcome->error, true);
   TransferFunction& tf = document_.preset.transfer_function;
+  if (tf != before_match_)
+    return say(fmt::format("Not carried over from {}: the transfer function was changed meanwhile",
+                           last_volume_->name));
   tf = in_domain(carried(last_volume_->tf, *outcome->fit), tf.domain, loaded_.volume->statistics.range);
   ui_->editor.visible.reset();
   say(fmt::format("Carried over from {}, whose values tell {:.3g} % of the variance here", last_volume_->name,

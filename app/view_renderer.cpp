@@ -149,6 +149,14 @@ bool ViewRenderer::is_busy() const {
   });
 }
 
+bool ViewRenderer::only_counts() const {
+  return is_busy() && std::ranges::all_of(views_, [](const View& view) {
+           const bool is_shown = view.wanted.size.x > 0 && view.wanted.scene.volume;
+           return !is_shown ||
+                  (!view.pass && view.queued.empty() && is_done(view) && (view.is_counted || view.counting));
+         });
+}
+
 void ViewRenderer::take_times() {
   for (View& view : views_)
     for (; !view.queued.empty() && gl::is_over(view.queued.front().time); view.queued.pop_front()) {
@@ -268,18 +276,23 @@ void ViewRenderer::finish_pass(View& view) {
   if (pass.stage == full) view.full = std::move(pass.target);
 }
 
-void ViewRenderer::begin_counting(View& view) {
+// What a picture costs may stay unknown: the picture is there.
+void ViewRenderer::begin_counting(View& view) try {
   gl::RenderTarget target(coarse_size(view.wanted.size, count_coarseness), true);
   PendingCounts counts = renderer_.begin_counts(view.wanted.scene, view.wanted.camera, target);
   view.counting.emplace(Counting{
       std::move(counts), gl::PendingRead(target, gl::PendingRead::What::color), {}, view.wanted.size});
+} catch (const std::exception&) {
+  view.counts = {};
+  end_counting(view);
 }
 
 void ViewRenderer::take_counts() {
   for (View& view : views_) try {
       if (view.counting) take_counts(view);
-    } catch (const std::exception& error) {
-      give_up(view, error.what());
+    } catch (const std::exception&) {
+      view.counts = {};
+      end_counting(view);
     }
 }
 
@@ -300,6 +313,10 @@ void ViewRenderer::take_counts(View& view) {
     if (!has_visible_pixel({counting.full_size, counting.full->color()}, background))
       view.nothing_visible = why_nothing_is_visible(scene, view.wanted.camera, view.wanted.size);
   }
+  end_counting(view);
+}
+
+void ViewRenderer::end_counting(View& view) {
   if (!keeps_colors_) view.full.reset();
   view.is_counted = true;
   view.counting.reset();
@@ -350,8 +367,11 @@ std::array<std::uint64_t, picture_count> ViewRenderer::shown_versions() const {
 void ViewRenderer::invalidate() {
   for (View& view : views_) {
     view.pass.reset();
+    view.error.clear();
+    view.nothing_visible.clear();
     view.is_counted = false;
     view.counting.reset();
+    view.full.reset();
     ++view.wanted_version;
   }
 }

@@ -40,6 +40,8 @@ class ViewRenderer {
   std::string error() const;
   /// Whether there is anything left to draw.
   bool is_busy() const;
+  /// Whether that is no more than to hear from the device what the pictures cost.
+  bool only_counts() const;
 
   ViewPicture picture(int view) const;
   /// From now on pictures in full are kept in float, or no longer; those that were not are drawn again.
@@ -120,6 +122,7 @@ class ViewRenderer {
   void begin_counting(View& view);
   void take_counts();
   void take_counts(View& view);
+  void end_counting(View& view);
   void give_up(View& view, std::string why);  ///< what cannot be drawn is not tried again until it changes
 
   Renderer renderer_;

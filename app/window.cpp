@@ -184,6 +184,7 @@ void Window::end_frame() {
   glfwGetFramebufferSize(window_, &width, &height);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, width, height);
+  glDisable(GL_SCISSOR_TEST);  // else it bounds the clear, where something left it on
   const ImVec4 background = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
   glClearColor(background.x, background.y, background.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);

@@ -43,6 +43,10 @@ std::string why_not(const Action& action, const ActionContext& context) {
   return action.why_not ? action.why_not(context) : std::string();
 }
 
+std::string needs_volume(const ActionContext& context) {
+  return context.inputs.volume ? "" : "no volume is open";
+}
+
 std::string title_of(const Action& action, const ActionContext& context) {
   const std::string detail = action.detail ? action.detail(context) : std::string();
   return detail.empty() ? action.name : fmt::format("{}: {}", action.name, detail);
@@ -96,8 +100,8 @@ bool shortcuts(const ActionContext& context) {
   bool changed = false;
   for (const Action& action : actions()) {
     if (!has_key_pressed(action) || !counts(action.when, context.state.widgets)) continue;
-    if (action.when == KeyWhen::untouched) ImGui::ClearActiveID();
     if (!why_not(action, context).empty()) continue;
+    if (action.when == KeyWhen::untouched) ImGui::ClearActiveID();
     drop_typed(action.key.key);
     changed |= action.run(context);
   }

@@ -66,6 +66,8 @@ std::string key_text_of(std::string_view name);
 std::string key_text_of(const Action& action);
 
 std::string why_not(const Action& action, const ActionContext& context);
+/// Action::why_not of what needs a volume.
+std::string needs_volume(const ActionContext& context);
 /// "Undo: move 3 points".
 std::string title_of(const Action& action, const ActionContext& context);
 

@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <set>
 
 #include "ui/fuzzy_match.h"
 #include "ui/number_field.h"
@@ -19,18 +20,23 @@ std::vector<PaletteRow> all_rows(const ActionContext& context) {
   std::vector<PaletteRow> rows;
   for (const Action& action : actions()) {
     if (!action.entries) {
-      rows.push_back({title_of(action, context), action, why_not(action, context)});
+      rows.push_back({title_of(action, context), action.name, action, why_not(action, context)});
       continue;
     }
-    for (const Action& entry : action.entries(context))
-      rows.push_back({action.lead + entry.name, entry, why_not(entry, context)});
+    for (const Action& entry : action.entries(context)) {
+      const std::string name = action.lead + entry.name;
+      rows.push_back({name, name, entry, why_not(entry, context)});
+    }
   }
+  // A built-in volume that was open is in two lists
+  std::set<std::string> titles;
+  std::erase_if(rows, [&](const PaletteRow& row) { return !titles.insert(row.title).second; });
   return rows;
 }
 
 /// How long ago it was chosen, in choices; the most for what never was.
 std::size_t age(const PaletteState& palette, const PaletteRow& row) {
-  return std::size_t(std::ranges::find(palette.chosen, row.action.name) - palette.chosen.begin());
+  return std::size_t(std::ranges::find(palette.chosen, row.name) - palette.chosen.begin());
 }
 
 void remember(PaletteState& palette, const std::string& name) {
@@ -51,14 +57,20 @@ bool show(const ActionContext& context, const PaletteRow& row, bool is_selected,
   const bool enabled = row.why_not.empty();
   const bool is_on = row.action.checked && row.action.checked(context);
   const ImGuiSelectableFlags flags = enabled ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
-  const std::string label = fmt::format("{}{}###{}", row.title, is_on ? "  (on)" : "", row.title);
+  const std::string right = enabled ? key_text_of(row.action) : row.why_not;
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(right.c_str()).x -
+                     (is_on ? scaled(72) : scaled(24));
+  const std::string title = shortened(row.title, room);
+  const std::string label = fmt::format("{}{}###{}", title, is_on ? "  (on)" : "", row.title);
   const bool clicked =
       ImGui::Selectable(label.c_str(), is_selected, flags | ImGuiSelectableFlags_DontClosePopups);
   note_item(context.state.widgets, "palette/" + row.title);
   if (is_selected && comes_in_sight) ImGui::SetScrollHereY(0.5F);
-  if (!row.action.tip.empty()) tip(row.action.tip.c_str());
-  at_the_right(enabled ? key_text_of(row.action) : row.why_not,
-               enabled ? palette().secondary : palette().secondary);
+  if (title != row.title)
+    tip(row.title.c_str());
+  else if (!row.action.tip.empty())
+    tip(row.action.tip.c_str());
+  at_the_right(right, palette().secondary);
   return clicked;
 }
 
@@ -92,8 +104,10 @@ bool search_field(StudioState& state, bool appears) {
 
 std::optional<PaletteRow> chosen_row(const ActionContext& context, bool appears) {
   PaletteState& palette = context.state.palette;
+  const std::string before = palette.typed;
   const bool entered = search_field(context.state, appears);
-  const std::vector<PaletteRow> rows = palette_rows(context, palette.typed);
+  if (appears || palette.typed != before) palette.rows = palette_rows(context, palette.typed);
+  const std::vector<PaletteRow>& rows = palette.rows;
   move(palette, int(rows.size()));
   std::optional<PaletteRow> chosen;
   ImGui::BeginChild("rows", {0, rows_in_sight * ImGui::GetTextLineHeightWithSpacing()}, false,
@@ -106,7 +120,8 @@ std::optional<PaletteRow> chosen_row(const ActionContext& context, bool appears)
   palette.comes_in_sight = false;
   if (rows.empty()) ImGui::TextDisabled("Nothing is called that");
   ImGui::EndChild();
-  if (entered && chosen && !chosen->why_not.empty()) {
+  // The row may be older than what it says
+  if (chosen && !why_not(chosen->action, context).empty()) {
     open_next_field(context.state.widgets, "##palette search");
     chosen.reset();
   }
@@ -154,11 +169,11 @@ bool command_palette(const ActionContext& context) {
   const std::optional<PaletteRow> chosen = chosen_row(context, ImGui::IsWindowAppearing());
   if (chosen || key_pressed(key::escape)) {
     ImGui::CloseCurrentPopup();
-    context.state.escape_taken = true;
+    context.state.widgets.escape_taken = true;
   }
   ImGui::EndPopup();
   if (!chosen) return false;
-  remember(palette, chosen->action.name);
+  remember(palette, chosen->name);
   return chosen->action.run(context);
 }
 

@@ -5,13 +5,6 @@
 
 namespace crest {
 
-/// One line of the palette.
-struct PaletteRow {
-  std::string title;  ///< "Open builtin:gyroid"
-  Action action;
-  std::string why_not;  ///< it cannot be chosen
-};
-
 /// What fits what was typed, the best first, what cannot be done last; where nothing was typed all there is,
 /// and first of it what was chosen last.
 std::vector<PaletteRow> palette_rows(const ActionContext& context, std::string_view typed);

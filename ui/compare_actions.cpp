@@ -14,8 +14,6 @@ int subject(const ViewsState& views) {
   return views.enlarged >= 0 ? views.enlarged : views.comparison ? views.comparison->view : 0;
 }
 
-std::string needs_volume(const ActionContext& c) { return c.inputs.volume ? "" : "no volume is open"; }
-
 /// With what it is compared with already, or the next view.
 bool compare(ViewsState& views, ComparisonKind kind) {
   const int view = subject(views);

@@ -43,8 +43,9 @@ struct EditorDrag {
 /// What belongs to the transfer-function editor and is not in the document.
 struct EditorState {
   Selection selection;
-  std::optional<ValueRange> visible;    ///< the part of the axis in sight; without it, all
-  std::optional<ValueRange> converted;  ///< the volume's values, while the TF is shown in another domain
+  std::optional<ValueRange> visible;      ///< the part of the axis in sight; without it, all
+  std::optional<Domain> shown_domain;     ///< in which the TF was shown in the last frame
+  std::optional<ValueRange> shown_range;  ///< of the volume then
   OpacityAxis opacity_axis;
   ValueCurve value_curve = ValueCurve::log_values;
   bool suggestions = true;               ///< marks of the peaks that the volume suggests

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/keys.h"
 #include "ui/style.h"
 #include "ui/warning_sign.h"
 
@@ -53,10 +54,11 @@ void error_banner(StudioState& state, const StudioInputs& inputs, StudioRequests
 
 void close_error_by_key(StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   if (!has_error(inputs) || ImGui::IsAnyItemActive()) return;
-  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
-  if (!ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
+  // Esc closed one before the frame began
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) || state.navigation.popups > 0) return;
+  if (!key_pressed(key::escape)) return;
   requests.close_message = true;
-  state.escape_taken = true;
+  state.widgets.escape_taken = true;
 }
 
 }  // namespace crest

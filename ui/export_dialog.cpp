@@ -144,8 +144,7 @@ void export_dialog(const Document& document, StudioState& state, const StudioInp
   ImGui::EndChild();
   preview(state, inputs, requests);
   buttons(document, state);
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::GetIO().WantTextInput)
-    ImGui::CloseCurrentPopup();
+  if (escape_pressed(state.widgets)) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }
 

@@ -12,8 +12,6 @@
 namespace crest {
 namespace {
 
-std::string needs_volume(const ActionContext& c) { return c.inputs.volume ? "" : "no volume is open"; }
-
 auto asks_for(FilePurpose purpose) {
   return [purpose](const ActionContext& c) {
     ask_for_file(c.state, c.document, purpose);

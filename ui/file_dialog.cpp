@@ -264,8 +264,7 @@ std::optional<std::string> file_dialog(FileDialog& dialog, WidgetState& widgets)
     return std::nullopt;
   }
   std::optional<std::string> chosen = contents(dialog, widgets);
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::GetIO().WantTextInput)
-    ImGui::CloseCurrentPopup();
+  if (escape_pressed(widgets)) ImGui::CloseCurrentPopup();
   if (chosen) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   return chosen;

@@ -36,10 +36,13 @@ constexpr Gesture gestures[] = {
     {"", "Mouse over the views"},
     {"left drag", "turn"},
     {"middle or right drag", "move; also: Shift+left drag"},
-    {"wheel", "nearer, further"},
+    {"wheel", "nearer, further; in parallel projection: magnify"},
     {"double-click", "enlarge a view, and back"},
     {"click", "inspect the pixel's ray"},
     {"right-click", "select the peak that shows there, or make one"},
+    {"", "Keys in a view that has the focus"},
+    {"arrows", "turn; Shift: move"},
+    {"Page up, Page down", "as the wheel"},
     {"", "Slices"},
     {"left drag, wheel", "move the cursor; the next slice"},
 };
@@ -96,7 +99,7 @@ void help_window(StudioState& state) {
   for (int i = menu_count; i < section_count; ++i) keys_of(state.widgets, Section(i));
   mouse_list();
   ImGui::EndChild();
-  if (default_button("Close", {scaled(104), 0}) || key_pressed(key::escape)) ImGui::CloseCurrentPopup();
+  if (default_button("Close", {scaled(104), 0}) || escape_pressed(state.widgets)) ImGui::CloseCurrentPopup();
   note_item(state.widgets, "close help");
   ImGui::EndPopup();
 }
@@ -110,7 +113,7 @@ void about_window(StudioState& state, const std::string& version) {
   ImGui::TextUnformatted(fmt::format("Crest {}", version).c_str());
   ImGui::TextDisabled("Transfer functions for volume rendering, whose peaks are not lost.");
   ImGui::Spacing();
-  if (default_button("Close", {scaled(104), 0}) || key_pressed(key::escape)) ImGui::CloseCurrentPopup();
+  if (default_button("Close", {scaled(104), 0}) || escape_pressed(state.widgets)) ImGui::CloseCurrentPopup();
   note_item(state.widgets, "close about");
   ImGui::EndPopup();
 }

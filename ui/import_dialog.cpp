@@ -82,8 +82,8 @@ void import_dialog(StudioState& state, const StudioInputs& inputs, StudioRequest
     requests.import_choice = {dialog.chosen, dialog.take, dialog.fit};
   note_item(state.widgets, "take import");
   ImGui::SameLine();
-  const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-  if (ImGui::Button("Cancel", {scaled(96), 0}) || escape) requests.import_choice = {-1, dialog.take, false};
+  if (ImGui::Button("Cancel", {scaled(96), 0}) || escape_pressed(state.widgets))
+    requests.import_choice = {-1, dialog.take, false};
   note_item(state.widgets, "cancel import");
   if (requests.import_choice) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

@@ -153,8 +153,9 @@ void library_window(StudioState& state, const StudioInputs& inputs, StudioReques
   const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
   // In the field for a name both keys are about the name
   if (chosen && !was_renaming && pressed(ImGuiKey_Enter)) open(*chosen, TfParts::both, requests);
-  if (was_renaming && pressed(ImGuiKey_Escape)) library.renamed.reset();
-  const bool closes = named_button(state.widgets, "Close") || (!was_renaming && pressed(ImGuiKey_Escape));
+  if (was_renaming && key_pressed(key::escape)) library.renamed.reset();
+  const bool closes =
+      named_button(state.widgets, "Close") || (!was_renaming && escape_pressed(state.widgets));
   if (closes || requests.open_preset) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }

@@ -109,6 +109,11 @@ bool takes_arrows(NavigationState& state) {
   return true;
 }
 
+void keep_focus() {
+  ImGui::NavMoveRequestCancel();
+  context().NavDisableHighlight = true;
+}
+
 void show_focus(ImGuiID item, ImVec2 low, ImVec2 high) {
   ImGui::RenderNavHighlight({low, high}, item, ImGuiNavHighlightFlags_TypeThin);
 }

@@ -37,6 +37,9 @@ void take_focus(NavigationState& state, Area area);
 /// Whether the last item has the focus, and so the arrows, which it uses itself.
 bool takes_arrows(NavigationState& state);
 
+/// What was pressed had a use of its own: it does not move the focus, which is no longer shown.
+void keep_focus();
+
 /// Shows that an item has the focus which Dear ImGui shows nothing of.
 void show_focus(ImGuiID item, ImVec2 low, ImVec2 high);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/keys.h"
 #include "ui/style.h"
 
 namespace crest {
@@ -51,8 +52,6 @@ std::string number_why_not(double value, const FieldRule& rule) {
       return fmt::format("{} {}", exact_text(value), why);
   return {};
 }
-
-bool escape_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
 
 }  // namespace
 
@@ -102,9 +101,9 @@ std::optional<NumberEdit> number_entry(WidgetState& state, const char* name, con
   const auto typed = state.typed.find(id);
   if (typed == state.typed.end()) return std::nullopt;
   const std::string before = state.typed.extract(typed).mapped().shown;
-  if (is_refused && text == refused->text && !escape_pressed()) return std::nullopt;
+  if (is_refused && text == refused->text && !key_pressed(key::escape)) return std::nullopt;
   if (is_refused) refused.reset();
-  if (text == before || escape_pressed()) return std::nullopt;
+  if (text == before || key_pressed(key::escape)) return std::nullopt;
   const TypedEdit read = read_edit(text);
   const std::string why = read.edit ? why_not(*read.edit) : read.wrong;
   if (why.empty()) {

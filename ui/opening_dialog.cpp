@@ -1,10 +1,12 @@
 #include "ui/opening_dialog.h"
 
 #include <fmt/core.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <filesystem>
 
+#include "ui/navigation.h"
 #include "ui/number_field.h"
 #include "ui/questions.h"
 #include "ui/raw_form.h"
@@ -14,8 +16,6 @@ namespace crest {
 namespace {
 
 constexpr int most_rows = 64;  ///< of a list; more have a slider
-
-bool pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); }
 
 /// "Which frame of heart.nrrd?"; the same window for each.
 std::string title_of(const OpenChoice& choice) {
@@ -35,6 +35,7 @@ void step(OpeningState& opening, ImGuiKey key, int by, int last) {
   if (ImGui::IsAnyItemActive() || !ImGui::IsKeyPressed(ImGui::GetKeyIndex(key))) return;
   opening.chosen = std::clamp(opening.chosen + by, 0, last);
   opening.scroll = true;
+  keep_focus();
 }
 
 /// Returns whether a double-click opens one.
@@ -43,6 +44,7 @@ bool list_of_options(StudioState& state, const OpenChoice& choice) {
   const int count = int(choice.count);
   const float row = ImGui::GetTextLineHeightWithSpacing();
   bool opens = false;
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);  // arrows choose in it, wherever the focus is
   ImGui::BeginChild("options", {0, std::min(float(count), 12.0F) * row + scaled(16)}, true);
   step(opening, ImGuiKey_UpArrow, -1, count - 1);
   step(opening, ImGuiKey_DownArrow, 1, count - 1);
@@ -58,6 +60,7 @@ bool list_of_options(StudioState& state, const OpenChoice& choice) {
   }
   opening.scroll = false;
   ImGui::EndChild();
+  ImGui::PopItemFlag();
   return opens;
 }
 
@@ -111,23 +114,20 @@ void opening_dialog(StudioState& state, const StudioInputs& inputs, StudioReques
                               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize))
     return;
   const bool is_raw = choice.kind == ChoiceKind::raw_layout;
-  const bool was_typing = ImGui::IsAnyItemActive();
   bool opens = is_raw ? false : options(state, choice);
   const bool can_open = is_raw ? raw_form(state, *inputs.opening, requests) : true;
   ImGui::Spacing();
   ImGui::BeginDisabled(!can_open);
-  opens |= ImGui::Button("Open##chosen", {scaled(104), 0});
+  opens |= default_button("Open##chosen", {scaled(104), 0});
   ImGui::EndDisabled();
   note_item(state.widgets, "open chosen");
   ImGui::SameLine();
   const bool closes = ImGui::Button("Cancel##opening", {scaled(104), 0});
   note_item(state.widgets, "cancel opening");
-  // In a field both keys are about what is typed there
-  const bool enter = !was_typing && (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter));
-  if ((opens || enter) && can_open)
+  if (opens && can_open)
     requests.open_volume = is_raw ? source_of(choice.path, query_of(opening.layout, choice.query))
                                   : chosen_source(choice, std::uint64_t(opening.chosen));
-  else if (closes || (!was_typing && pressed(ImGuiKey_Escape)))
+  else if (closes || escape_pressed(state.widgets))
     requests.cancel_opening = true;
   if (requests.open_volume || requests.cancel_opening) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/edit_shown.h"
 #include "ui/plot.h"
 #include "ui/point_tools.h"
-#include "ui/shown_values.h"
 #include "ui/style.h"
 #include "ui/transfer_function_editor.h"
 
@@ -88,7 +88,7 @@ bool peak_item(Document& document, StudioState& state, const StudioInputs& input
   note_item(state.widgets, "make peak");
   if (!chosen) return false;
   TransferFunction& tf = document.preset.transfer_function;
-  return edit_shown(tf, state.settings, &inputs.volume->statistics.range, [&] {
+  return in_shown_values(document, state, inputs, [&] {
     const double in_domain = data_to_domain(tf, inputs.volume->statistics.range)(value);
     const ValueRange visible = state.editor.visible.value_or(axis_range(tf, inputs.volume));
     return add_shape(tf, state.editor, Shape::spike, in_domain, picked_opacity, visible);

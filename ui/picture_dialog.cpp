@@ -88,9 +88,7 @@ void picture_dialog(Document& document, StudioState& state, const StudioInputs& 
   }
   note_item(state.widgets, "picture file");
   ImGui::SameLine();
-  if (ImGui::Button("Cancel", {scaled(104), 0}) ||
-      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
-    ImGui::CloseCurrentPopup();
+  if (ImGui::Button("Cancel", {scaled(104), 0}) || escape_pressed(state.widgets)) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }
 

@@ -49,7 +49,6 @@ bool preset_details(Document& document, StudioState& state) {
     if (ImGui::IsItemDeactivatedAfterEdit()) state.history.record(document);
   };
   if (!ImGui::BeginPopupModal(title, &open, ImGuiWindowFlags_AlwaysAutoResize)) return false;
-  const bool was_typing = ImGui::IsAnyItemActive();  // Esc is then the field's own
   const float width = scaled(field_width);
   ImGui::TextDisabled("Name");
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
@@ -72,7 +71,7 @@ bool preset_details(Document& document, StudioState& state) {
   note_item(state.widgets, "details done");
   ImGui::SameLine();
   ImGui::TextDisabled("Save keeps them in the preset's file");
-  const bool is_escaped = !was_typing && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  const bool is_escaped = escape_pressed(state.widgets);
   if (entered || is_done || is_escaped) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   return changed;

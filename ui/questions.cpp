@@ -86,7 +86,7 @@ void unsaved_question(Document& document, StudioState& state, const StudioInputs
   ImGui::SameLine();
   if (button("Discard")) let_go(state, requests);
   ImGui::SameLine();
-  if (button("Stay") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+  if (button("Stay") || escape_pressed(state.widgets)) {
     state.leaving = {};
     ImGui::CloseCurrentPopup();
   }
@@ -114,8 +114,7 @@ void saving_question(StudioState& state, const StudioInputs& inputs, StudioReque
   note_item(state.widgets, "Quit anyway");
   tip("The picture that is being drawn is lost; those of a turn that are done stay");
   ImGui::SameLine();
-  const bool stays =
-      ImGui::Button("Stay##saving", size) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  const bool stays = ImGui::Button("Stay##saving", size) || escape_pressed(state.widgets);
   note_item(state.widgets, "stay for saving");
   if (quits && is_saving) requests.quit = true;
   // What failed is told, and what was edited meanwhile is asked about

@@ -143,8 +143,14 @@ void slice(const RawPicture& picture, glm::ivec3 size) {
 void begin_raw_form(OpeningState& opening, const Opening& asked) {
   opening.layout = layout_of(asked.choice.query);
   opening.guesses = likely_layouts(asked.choice.path, asked.file_bytes);
-  const bool says_size = asked.choice.query.contains("size");
-  if (!says_size && !opening.guesses.empty()) take(opening, opening.guesses.front().layout);
+  const Query& query = asked.choice.query;
+  if (query.contains("size") || opening.guesses.empty()) return;
+  // What the query says is no guess
+  RawLayout guess = opening.guesses.front().layout;
+  if (query.contains("type")) guess.type = opening.layout.type;
+  if (query.contains("endian")) guess.big_endian = opening.layout.big_endian;
+  if (query.contains("offset")) guess.offset = opening.layout.offset;
+  take(opening, guess);
 }
 
 bool raw_form(StudioState& state, const Opening& asked, StudioRequests& requests) {

@@ -70,9 +70,7 @@ void settings_window(StudioState& state) {
   ImGui::Spacing();
   ImGui::TextDisabled("Kept for the next start.");
   ImGui::Spacing();
-  const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-  if (ImGui::Button("Close", {scaled(104), 0}) || (escape && !ImGui::IsPopupOpen("##scale")))
-    ImGui::CloseCurrentPopup();
+  if (ImGui::Button("Close", {scaled(104), 0}) || escape_pressed(state.widgets)) ImGui::CloseCurrentPopup();
   note_item(state.widgets, "close settings");
   ImGui::EndPopup();
 }

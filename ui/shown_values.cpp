@@ -44,9 +44,10 @@ TransferFunction stored_values(const TransferFunction& edited, const TransferFun
   const double scale =
       std::max(std::abs(range_in_domain(stored, volume).min), std::abs(range_in_domain(stored, volume).max));
   for (std::size_t i = 0; i < tf.points.size(); ++i) {
-    const auto same = std::ranges::find(shown.points, edited.points[i].value, &ControlPoint::value);
+    const double edited_value = edited.points[i].value;
+    const auto same = std::ranges::lower_bound(shown.points, edited_value, {}, &ControlPoint::value);
     double& value = tf.points[i].value;
-    if (same != shown.points.end())
+    if (same != shown.points.end() && same->value == edited_value)
       value = stored.points[std::size_t(same - shown.points.begin())].value;
     else
       value = without_noise(value, scale);

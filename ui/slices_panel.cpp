@@ -8,9 +8,9 @@
 
 #include "render/volume/probe.h"
 #include "ui/edit_points.h"
+#include "ui/edit_shown.h"
 #include "ui/plot.h"
 #include "ui/point_tools.h"
-#include "ui/shown_values.h"
 #include "ui/style.h"
 #include "ui/transfer_function_editor.h"
 #include "ui/widgets.h"
@@ -99,7 +99,7 @@ bool probe(Document& document, StudioState& state, const StudioInputs& inputs) {
   bool changed = false;
   if (value && ImGui::Button("Add a spike here")) {
     TransferFunction& tf = document.preset.transfer_function;
-    changed = edit_shown(tf, state.settings, &volume.statistics.range, [&] {
+    changed = in_shown_values(document, state, inputs, [&] {
       const ValueRange axis = axis_range(tf, inputs.volume);
       const double on_axis = data_to_domain(tf, volume.statistics.range)(*value);
       return add_shape(tf, state.editor, Shape::spike, round_to_resolution(on_axis, 1e-4 * axis.width()), 0.8,

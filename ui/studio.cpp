@@ -193,14 +193,14 @@ bool is_editing(const StudioState& state) {
 void close_menu_by_key(StudioState& state) {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   if (context.OpenPopupStack.Size < state.navigation.popups)
-    state.escape_taken = true;  // Dear ImGui closed it
-  if (state.escape_taken) return;
+    state.widgets.escape_taken = true;  // Dear ImGui closed it
+  if (state.widgets.escape_taken) return;
   if (context.OpenPopupStack.empty() || ImGui::IsAnyItemActive()) return;
-  if (!ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
+  if (!key_pressed(key::escape)) return;
   const ImGuiWindow* window = context.OpenPopupStack.back().Window;
   if (!window || (window->Flags & ImGuiWindowFlags_Modal)) return;
   ImGui::ClosePopupToLevel(context.OpenPopupStack.Size - 1, true);
-  state.escape_taken = true;
+  state.widgets.escape_taken = true;
 }
 
 }  // namespace
@@ -213,7 +213,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   StudioRequests requests;
   state.widgets.items.clear();
   state.under_cursor.clear();
-  state.escape_taken = false;
+  state.widgets.escape_taken = false;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   if (display.x < least_window || display.y < least_window) {
     requests.quit = inputs.close_requested && !inputs.unsaved_changes;
@@ -223,6 +223,7 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   state.editor.hovered_peak.reset();
   state.widgets.number_taken = false;
   close_error_by_key(state, inputs, requests);
+  trim_selection(state.editor, document.preset.transfer_function);
   follow_shown_values(state, document.preset.transfer_function, inputs);
   state.widgets.take_typed = inputs.close_requested || takes_typed_text();
   if (state.widgets.refused) state.widgets.refused->is_shown = false;
@@ -245,8 +246,8 @@ StudioRequests studio_frame(Document& document, StudioState& state, const Studio
   saving_question(state, inputs, requests);
   help_window(state);
   about_window(state, inputs.version);
-  end_navigation(state.navigation);
   settings_window(state);
+  end_navigation(state.navigation);
   requests.show_visibility = is_visibility(state.editor.value_curve);
   if (!ImGui::IsAnyItemActive()) state.widgets.typed.clear();
   if (state.widgets.refused && !state.widgets.refused->is_shown) state.widgets.refused.reset();

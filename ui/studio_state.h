@@ -10,6 +10,7 @@
 
 #include "render/measure/image_error.h"
 #include "render/measure/methods.h"
+#include "ui/actions.h"
 #include "ui/editor_state.h"
 #include "ui/file_dialog.h"
 #include "ui/history.h"
@@ -146,13 +147,22 @@ struct ImportDialog {
   bool fit = false;  ///< over the range of the preset's points
 };
 
+/// One line of the palette.
+struct PaletteRow {
+  std::string title;  ///< "Open builtin:gyroid"
+  std::string name;   ///< the same without what changes, by which it is remembered
+  Action action;
+  std::string why_not;  ///< it cannot be chosen
+};
+
 /// The command palette.
 struct PaletteState {
   bool asked = false;  ///< to be opened in the next frame
   std::string typed{};
   int selected = 0;                   ///< of the rows that fit
   bool comes_in_sight = false;        ///< the selected row does
-  std::vector<std::string> chosen{};  ///< names of actions, the newest first
+  std::vector<PaletteRow> rows{};     ///< that fit what is typed, since it was typed
+  std::vector<std::string> chosen{};  ///< names of rows, the newest first
 };
 
 /// Of the panels below the editor.
@@ -190,14 +200,13 @@ struct StudioState {
   PaletteState palette;
   NavigationState navigation;
   bool show_help = false, show_about = false;
-  std::string_view asked_tab;  ///< of tab_names: it comes up in the next frame
-  bool escape_taken = false;   ///< in this frame: what Esc was for is done
-  bool quit_asked = false;     ///< the person wants to leave
+  std::string_view asked_tab;     ///< of tab_names: it comes up in the next frame
+  bool quit_asked = false;        ///< the person wants to leave
   bool quits_when_saved = false;  ///< and a picture is still being saved
-  Leaving leaving;             ///< what the question about unsaved changes is about
-  std::size_t shown_step{};    ///< of the history, to which its list was last scrolled
-  double camera_moved = -1;    ///< when the wheel last moved the camera, in Dear ImGui's seconds
-  std::string under_cursor;    ///< what is told at the mouse
+  Leaving leaving;                ///< what the question about unsaved changes is about
+  std::size_t shown_step{};       ///< of the history, to which its list was last scrolled
+  double camera_moved = -1;       ///< when the wheel or a key last moved the camera, in Dear ImGui's seconds
+  std::string under_cursor;       ///< what is told at the mouse
 };
 
 }  // namespace crest

@@ -122,13 +122,12 @@ void value_switch(const TransferFunction& tf, StudioState& state, const StudioIn
 /// What is seen of the axis, and widths, belong to the values that it is in.
 void follow_shown_values(EditorState& editor, const TransferFunction& stored, Domain shown,
                          const Volume* volume) {
-  std::optional<ValueRange> converted;
-  if (volume && stored.domain != shown) converted = volume->statistics.range;
-  const bool is_same =
-      converted.has_value() == editor.converted.has_value() &&
-      (!converted || (converted->min == editor.converted->min && converted->max == editor.converted->max));
-  if (is_same) return;
-  editor.converted = converted;
+  const std::optional<Domain> domain = std::exchange(editor.shown_domain, shown);
+  const std::optional<ValueRange> range = editor.shown_range;
+  editor.shown_range = volume ? std::optional(volume->statistics.range) : std::nullopt;
+  // Values that are no conversion mean the same with any volume
+  const bool is_converted = volume && stored.domain != shown;
+  if (!domain || (*domain == shown && (!is_converted || range == editor.shown_range))) return;
   editor.visible.reset();
   editor.new_peak_width.reset();
 }
@@ -178,10 +177,14 @@ void follow_shown_values(StudioState& state, const TransferFunction& stored, con
                       inputs.volume);
 }
 
+void trim_selection(EditorState& editor, const TransferFunction& tf) {
+  std::erase_if(editor.selection, [&](std::size_t i) { return i >= tf.points.size(); });
+}
+
 bool transfer_function_editor(Document& document, StudioState& state, const StudioInputs& inputs) {
   TransferFunction& tf = document.preset.transfer_function;
   EditorState& editor = state.editor;
-  std::erase_if(editor.selection, [&](std::size_t i) { return i >= tf.points.size(); });
+  trim_selection(editor, tf);
   const bool dragging = editor.drag.moves_points();
   // The axis holds still while points are dragged beyond its ends.
   const ValueRange whole = dragging ? editor.drag.whole : axis_range(tf, inputs.volume);

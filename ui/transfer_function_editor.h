@@ -5,6 +5,9 @@
 
 namespace crest {
 
+/// What is selected may be gone, after an undo or with another preset: drops it.
+void trim_selection(EditorState& editor, const TransferFunction& tf);
+
 /// To be called once a frame, before anything edits the TF in shown values (edit_shown).
 void follow_shown_values(StudioState& state, const TransferFunction& stored, const StudioInputs& inputs);
 

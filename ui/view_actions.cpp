@@ -15,8 +15,6 @@
 namespace crest {
 namespace {
 
-std::string needs_volume(const ActionContext& c) { return c.inputs.volume ? "" : "no volume is open"; }
-
 /// Of a view, in pixels.
 glm::ivec2 shown_size(const ActionContext& c) {
   return glm::max(c.state.picture_dialog.as_shown, glm::ivec2(1));
@@ -69,7 +67,7 @@ void toggle_error_bound(ViewsState& views) {
 
 /// Esc goes back by one step: what is selected, what is compared, the view that fills the grid.
 void go_back(StudioState& state) {
-  if (state.escape_taken) return;
+  if (state.widgets.escape_taken) return;
   ViewsState& views = state.views;
   const int compared = views.comparison ? views.comparison->view : -1;
   const bool is_seen = views.enlarged >= 0 ? compared == views.enlarged : compared < views.count;

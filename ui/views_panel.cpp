@@ -61,7 +61,7 @@ bool move_camera(Document& document, StudioState& state, const Grid& grid, const
 }
 
 /// With the focus on a view, arrows turn, with Shift they move the picture, and the page keys come nearer.
-bool move_camera_by_keys(Document& document, const Grid& grid, const Camera& before) {
+bool move_camera_by_keys(Document& document, StudioState& state, const Grid& grid, const Camera& before) {
   constexpr double turn = std::numbers::pi / 36, shift = 0.05;
   const auto pressed = [](int code) { return int(ImGui::IsKeyPressed(code)); };
   const double across = pressed(key::right) - pressed(key::left), up = pressed(key::up) - pressed(key::down);
@@ -76,6 +76,7 @@ bool move_camera_by_keys(Document& document, const Grid& grid, const Camera& bef
   }
   if (camera == before) return false;
   document.preset.camera = camera;
+  state.camera_moved = ImGui::GetTime();
   return true;
 }
 
@@ -163,7 +164,7 @@ bool view(Document& document, StudioState& state, const StudioInputs& inputs, St
       changed = false;
     else if (inputs.volume)
       changed = move_camera(document, state, inputs.volume->grid, camera, image.y) ||
-                (has_arrows && move_camera_by_keys(document, inputs.volume->grid, camera));
+                (has_arrows && move_camera_by_keys(document, state, inputs.volume->grid, camera));
     picture(index, state, inputs, document.preset.camera.value_or(camera), low, image);
     show_focus(id, low, {low.x + image.x, low.y + image.y});
     const bool is_hovered = ImGui::IsItemHovered();

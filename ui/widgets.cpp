@@ -6,9 +6,14 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "ui/keys.h"
 #include "ui/style.h"
 
 namespace crest {
+
+bool escape_pressed(const WidgetState& state) {
+  return key_pressed(key::escape) && !state.escape_taken && !ImGui::GetIO().WantTextInput;
+}
 
 std::string short_text(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
 

@@ -56,6 +56,7 @@ struct WidgetState {
   TypedNumbers typed;
   bool take_typed = false;    ///< in this frame what is typed is taken although nobody left its field
   bool number_taken = false;  ///< in this frame
+  bool escape_taken = false;  ///< in this frame: what Esc was for is done
   std::optional<RefusedNumber> refused;
   FieldDrag drag;
   TypedAhead ahead;
@@ -63,6 +64,9 @@ struct WidgetState {
 
 /// Remembers the last item's place under `name`.
 void note_item(WidgetState& state, std::string name);
+
+/// Whether Esc is for the window that asks: no menu was closed by it, and no text is typed that it is about.
+bool escape_pressed(const WidgetState& state);
 
 /// For labels: six significant digits.
 std::string short_text(double value);

@@ -60,6 +60,7 @@ void add_help_actions(std::vector<Action>& table) {
        }});
   add({.name = "Next part of the window",
        .key = {key::f6},
+       .takes_typed = true,
        .tip = "The views, the transfer function, the tabs",
        .run = go_to_next_area});
   add({.name = "Manual", .separated = true, .run = [](const ActionContext& c) {

@@ -26,6 +26,17 @@ void clear(const gl::RenderTarget& target) {
   if (target.has_counts()) glClearNamedFramebufferuiv(target.framebuffer(), GL_COLOR, 1, none);
 }
 
+/// Off at the end, also where something is thrown.
+struct DrawState {
+  DrawState() { glEnable(GL_SCISSOR_TEST); }
+  ~DrawState() {
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+  }
+  DrawState(const DrawState&) = delete;
+  DrawState& operator=(const DrawState&) = delete;
+};
+
 gl::VertexArrayHandle make_vertex_array() {
   GLuint id = 0;
   glCreateVertexArrays(1, &id);
@@ -76,14 +87,13 @@ void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget&
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
   glViewport(0, 0, target.size().x, target.size().y);
   glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
-  glEnable(GL_SCISSOR_TEST);
+  const DrawState state;
   clear(target);
   if (needs.is_empty()) {
     if (after_pass) after_pass(0);
   } else {
     draw_passes(scene, camera, target, tile, needs, after_pass);
   }
-  glDisable(GL_SCISSOR_TEST);
 }
 
 // Where nothing can be met nothing is drawn, but where costs are counted.
@@ -120,7 +130,6 @@ void Raycaster::draw_passes(const Scene& scene, const Camera& camera, const gl::
     }
     if (after_pass) after_pass(pass);
   }
-  glDisable(GL_BLEND);
 }
 
 void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {

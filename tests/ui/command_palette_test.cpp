@@ -6,7 +6,7 @@
 namespace crest::test {
 namespace {
 
-class Palette : public Studio {
+class CommandPalette : public Studio {
  protected:
   void open() {
     ctrl('P', true);
@@ -41,7 +41,7 @@ TEST(FuzzyMatch, BeginningsOfWordsAndRunsCountForMore) {
   EXPECT_EQ(match_score("st", "Last step"), match_score("st", "Also step"));
 }
 
-TEST_F(Palette, FindsWhatIsMeant) {
+TEST_F(CommandPalette, FindsWhatIsMeant) {
   EXPECT_EQ(first("save as"), "Save as...");
   EXPECT_EQ(first("gyroid"), "Open builtin:gyroid");
   EXPECT_EQ(first("open gyr"), "Open builtin:gyroid");
@@ -55,7 +55,7 @@ TEST_F(Palette, FindsWhatIsMeant) {
   EXPECT_EQ(first("bones"), "Open /scans/bones.json");
 }
 
-TEST_F(Palette, EnterRunsWhatIsMarked) {
+TEST_F(CommandPalette, EnterRunsWhatIsMarked) {
   open();
   write("gyroid");
   EXPECT_EQ(enter().open_volume, "builtin:gyroid");
@@ -63,13 +63,13 @@ TEST_F(Palette, EnterRunsWhatIsMarked) {
   EXPECT_FALSE(has("palette search"));
 }
 
-TEST_F(Palette, TypingMayBeginAtOnce) {
+TEST_F(CommandPalette, TypingMayBeginAtOnce) {
   ctrl('P', true);
   write("reload");
   EXPECT_TRUE(enter().reload_shaders);
 }
 
-TEST_F(Palette, ChangesOfTheDocumentAreOneStep) {
+TEST_F(CommandPalette, ChangesOfTheDocumentAreOneStep) {
   const std::size_t before = tf().points.size();
   open();
   write("add box");
@@ -79,7 +79,7 @@ TEST_F(Palette, ChangesOfTheDocumentAreOneStep) {
   EXPECT_EQ(state->history.steps().size(), 2u);
 }
 
-TEST_F(Palette, ArrowsChooseAndGoRound) {
+TEST_F(CommandPalette, ArrowsChooseAndGoRound) {
   open();
   write("compare by");
   const auto rows = palette_rows({document, *state, inputs, requests}, "compare by");
@@ -97,7 +97,7 @@ TEST_F(Palette, ArrowsChooseAndGoRound) {
   EXPECT_EQ(state->palette.chosen.front(), rows[1].title);
 }
 
-TEST_F(Palette, WhatWasChosenLastComesFirst) {
+TEST_F(CommandPalette, WhatWasChosenLastComesFirst) {
   open();
   write("go to slices");
   enter();
@@ -110,7 +110,15 @@ TEST_F(Palette, WhatWasChosenLastComesFirst) {
   EXPECT_EQ(first(" "), "Go to Slices");
 }
 
-TEST_F(Palette, WhatCannotBeDoneSaysWhyAndStays) {
+TEST_F(CommandPalette, ABuiltInVolumeThatWasOpenStandsOnce) {
+  inputs.recent = {"builtin:gyroid"};
+  int count = 0;
+  for (const PaletteRow& row : palette_rows({document, *state, inputs, requests}, ""))
+    count += row.title == "Open builtin:gyroid";
+  EXPECT_EQ(count, 1);
+}
+
+TEST_F(CommandPalette, WhatCannotBeDoneSaysWhyAndStays) {
   open();
   write("stop comp");
   enter();
@@ -123,7 +131,7 @@ TEST_F(Palette, WhatCannotBeDoneSaysWhyAndStays) {
   EXPECT_FALSE(has("palette search"));
 }
 
-TEST_F(Palette, EscapeClosesAndDoesNothingElse) {
+TEST_F(CommandPalette, EscapeClosesAndDoesNothingElse) {
   state->editor.selection = {2};
   open();
   key(key::escape);
@@ -132,7 +140,7 @@ TEST_F(Palette, EscapeClosesAndDoesNothingElse) {
   EXPECT_EQ(state->editor.selection, Selection{2});
 }
 
-TEST_F(Palette, AClickChoosesToo) {
+TEST_F(CommandPalette, AClickChoosesToo) {
   open();
   write("quit");
   click("palette/Quit");
@@ -141,7 +149,7 @@ TEST_F(Palette, AClickChoosesToo) {
   EXPECT_EQ(state->palette.chosen.front(), "Quit");
 }
 
-TEST_F(Palette, TheManualIsAskedFor) {
+TEST_F(CommandPalette, TheManualIsAskedFor) {
   open();
   write("manual");
   EXPECT_EQ(enter().open_manual, "");

@@ -43,6 +43,22 @@ TEST_F(ChoiceOfOptions, ArrowsAndEnterChoose) {
   EXPECT_EQ(key_of(ImGuiKey_Enter).open_volume, "a.nrrd?component=2&frame=2");
 }
 
+TEST_F(ChoiceOfOptions, EnterPressesTheButtonThatHasTheFocus) {
+  ask({ChoiceKind::component, "a.nrrd", {}, 3, {}});
+  key_of(ImGuiKey_Tab);
+  frames(2);
+  const StudioRequests asked = key_of(ImGuiKey_Enter);
+  EXPECT_TRUE(asked.cancel_opening);
+  EXPECT_FALSE(asked.open_volume);
+}
+
+TEST_F(ChoiceOfOptions, ArrowsGoOnFromAnOptionThatWasClicked) {
+  ask({ChoiceKind::component, "a.nrrd", {}, 3, {}});
+  click("option/1");
+  key_of(ImGuiKey_UpArrow);
+  EXPECT_EQ(key_of(ImGuiKey_Enter).open_volume, "a.nrrd?component=0");
+}
+
 TEST_F(ChoiceOfOptions, OfManyFramesTheNumberIsTyped) {
   ask({ChoiceKind::frame, "film.nrrd", {}, 500, {}});
   EXPECT_FALSE(has("option/0"));
@@ -94,6 +110,14 @@ TEST_F(RawForm, WhatTheNameSaysIsOneKeyAway) {
   EXPECT_EQ(key_of(ImGuiKey_Enter).open_volume, "/data/foot_64x32x16.raw?size=64x32x16&type=uint16");
 }
 
+TEST_F(RawForm, WhatTheQuerySaysIsNotGuessed) {
+  ask_raw("/data/foot_64x32x16.raw", 2 * 64 * 32 * 16 + 10,
+          {{"type", "int16"}, {"endian", "big"}, {"offset", "10"}});
+  EXPECT_EQ(layout().type, ScalarType::int16);
+  EXPECT_TRUE(layout().big_endian);
+  EXPECT_EQ(layout().offset, 10U);
+}
+
 TEST_F(RawForm, TypedNumbersMakeTheQuery) {
   ask_raw("v.raw", 1000);
   type("##raw x", "7");
@@ -120,6 +144,16 @@ TEST_F(RawForm, ASizeThatFitsIsTakenWithAClick) {
   EXPECT_EQ(layout().size, state->opening.guesses[1].layout.size);
   click("raw guess/0");
   EXPECT_EQ(layout().size, glm::ivec3(64));
+}
+
+TEST_F(RawForm, EscapeClosesAListAlone) {
+  ask_raw("v.raw", 27);
+  click("##raw type");
+  ASSERT_TRUE(has("##raw type/uint16"));
+  EXPECT_FALSE(key_of(ImGuiKey_Escape).cancel_opening);
+  frames(2);
+  EXPECT_FALSE(has("##raw type/uint16"));
+  EXPECT_TRUE(key_of(ImGuiKey_Escape).cancel_opening);
 }
 
 TEST_F(RawForm, EscapeInAFieldIsAboutTheField) {

@@ -24,7 +24,32 @@ TEST_F(Settings, ThemeAndScaleAreChosen) {
   EXPECT_FALSE(has("theme/dark"));
 }
 
+TEST_F(Settings, EscapeClosesTheListOfScalesAlone) {
+  click("menu/View");
+  click("Settings...");
+  click("##scale");
+  ASSERT_TRUE(has("scale/200 %"));
+  key_of(ImGuiKey_Escape);
+  frames(2);
+  EXPECT_FALSE(has("scale/200 %"));
+  EXPECT_TRUE(has("theme/dark"));
+  key_of(ImGuiKey_Escape);
+  frames(2);
+  EXPECT_FALSE(has("theme/dark"));
+}
+
 using ErrorBanner = Studio;
+
+TEST_F(ErrorBanner, EscThatClosesAMenuLeavesIt) {
+  inputs.message = "It cannot be read.";
+  inputs.message_is_error = true;
+  click("menu/View");
+  ASSERT_TRUE(has("Settings..."));
+  EXPECT_FALSE(key_of(ImGuiKey_Escape).close_message);
+  frames(2);
+  EXPECT_FALSE(has("Settings..."));
+  EXPECT_TRUE(key_of(ImGuiKey_Escape).close_message);
+}
 
 TEST_F(ErrorBanner, LiesOverTheViewsAndMovesNothing) {
   const auto items = state->widgets.items;
