@@ -12,6 +12,8 @@ std::string_view key_of(ChoiceKind kind) {
       return "component";
     case ChoiceKind::frame:
       return "frame";
+    case ChoiceKind::array:
+      return "array";
     case ChoiceKind::series:
       return "series";
   }

@@ -11,7 +11,7 @@
 namespace crest {
 
 /// What a source leaves open, and the query can say.
-enum class ChoiceKind { raw_layout, component, frame, series };
+enum class ChoiceKind { raw_layout, component, frame, array, series };
 /// "component": the key in the query; empty for raw voxels, which take several (raw_layout.h).
 std::string_view key_of(ChoiceKind kind);
 
@@ -26,7 +26,7 @@ struct OpenChoice {
   ChoiceKind kind = ChoiceKind::raw_layout;
   std::string path;         ///< of the file or folder
   Query query;              ///< what is said so far; of raw voxels also by a sidecar or the file's name
-  std::uint64_t count = 0;  ///< of components, frames or series; 0 for raw voxels
+  std::uint64_t count = 0;  ///< of components, frames, arrays or series; 0 for raw voxels
   /// As many as `count`; or none, where they have no names but their numbers from 0.
   std::vector<ChoiceOption> options;
   bool operator==(const OpenChoice&) const = default;

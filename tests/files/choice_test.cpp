@@ -42,6 +42,20 @@ TEST_F(ChoiceTest, ComponentsAreAskedForThenFrames) {
   EXPECT_EQ(load_volume(chosen_source(frame, 1)).grid.dims, glm::ivec3(4, 5, 2));
 }
 
+TEST_F(ChoiceTest, ArraysAreAskedForByTheirNames) {
+  std::string text =
+      "# vtk DataFile Version 3.0\nx\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
+      "POINT_DATA 8\nFIELD fields 2\nheat 1 8 float\n1 2 3 4 5 6 7 8\n"
+      "wind 1 8 float\n8 7 6 5 4 3 2 1\n";
+  const std::string file = write("v.vtk", text);
+  for (const std::string& source : {file, file + "?array=rain"}) {
+    const OpenChoice array = choice_of(source);
+    EXPECT_EQ(array.kind, ChoiceKind::array);
+    EXPECT_EQ(array.options, (std::vector<ChoiceOption>{{"heat", "heat"}, {"wind", "wind"}}));
+    EXPECT_EQ(load_volume(chosen_source(array, 1)).values[0], 8.f);
+  }
+}
+
 TEST_F(ChoiceTest, SeveralSeriesAreAChoiceOnlyWhereAPersonCanBeAsked) {
   const std::vector<std::int16_t> pixels(12, 7);
   for (int slice = 0; slice < 2; ++slice)
