@@ -9,6 +9,14 @@ void FileRequest::require_memory(glm::u64vec3 dims, std::uint64_t bytes_per_poin
   if (expect) expect(dims.x * dims.y * dims.z * (sizeof(float) + bytes_per_point));
 }
 
+FileRequest FileRequest::reading_also(std::uint64_t bytes) const {
+  FileRequest more = *this;
+  if (!expect) return more;
+  more.expect = [before = expect, bytes](std::uint64_t others) { before(bytes + others); };
+  more.expect(0);
+  return more;
+}
+
 std::string extension_of(const std::filesystem::path& path) { return lower(path.extension().string()); }
 
 }  // namespace crest

@@ -36,6 +36,8 @@ struct FileRequest {
   std::string name() const { return path.string(); }  ///< what errors call it
   /// As crest::require_memory, by what reading may take; then the reader gets that much.
   void require_memory(glm::u64vec3 dims, std::uint64_t bytes_per_point) const;
+  /// The same, where so many bytes are read besides those of the path itself. The reader gets them at once.
+  FileRequest reading_also(std::uint64_t bytes) const;
 };
 
 /// A lower-case extension with its dot.

@@ -115,6 +115,7 @@ std::vector<float> read_values(const FileRequest& request, std::size_t count, Sc
   std::vector<float> values(count);
   std::vector<std::byte> bytes(std::min(block, count) * size_of(type));
   for (std::size_t done = 0; done < count; done += block) {
+    if (request.reading.stop.stop_requested()) throw Error(request.name() + ": reading it was stopped");
     const std::size_t points = std::min(block, count - done);
     const std::span<std::byte> part = std::span(bytes).first(points * size_of(type));
     if (!file.read(reinterpret_cast<char*>(part.data()), std::streamsize(part.size()))) {

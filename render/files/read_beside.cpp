@@ -107,6 +107,8 @@ class Reader {
       std::optional<OpenChoice> what;
       try {
         what = choice_from_json(*choice);
+        what->path = request_.name();  // not as told: what is opened next
+        what->query = request_.query;
       } catch (const std::exception&) {
         fail_unclear();
       }
@@ -115,15 +117,25 @@ class Reader {
     throw Error(text);
   }
 
-  /// What it takes longer to read may take longer.
+  /// What a file, and a volume that fits in memory, take at most.
+  double most_bytes() const {
+    std::error_code ignored;
+    const auto size = std::filesystem::is_regular_file(request_.path, ignored)
+                          ? std::filesystem::file_size(request_.path, ignored)
+                          : 0;
+    constexpr double most = 1e15;
+    return std::min(double(size) + double(request_.reading.memory), most);
+  }
+
+  /// What it takes longer to read may take longer, but no longer than what fits in memory does.
   void expect(const Json& line) {
-    constexpr double slowest = 1e6, most = 1e15;  // bytes a second, bytes
+    constexpr double slowest = 1e6;  // bytes a second
     if (!line.at("expects").is_number() || !line.contains("seconds") || !line.at("seconds").is_number())
       fail_unclear();
     seconds_ = line.at("seconds").get<double>();
-    const double bytes = std::clamp(line.at("expects").get<double>(), 0.0, most);
-    deadline_ =
-        Clock::now() + request_.reading.patience + std::chrono::seconds(std::int64_t(bytes / slowest));
+    const double bytes = std::clamp(line.at("expects").get<double>(), 0.0, most_bytes());
+    deadline_ = std::max(
+        deadline_, begin_ + request_.reading.patience + std::chrono::seconds(std::int64_t(bytes / slowest)));
   }
 
   /// Waits for some bytes; 0 at the end.
@@ -134,7 +146,7 @@ class Reader {
       pollfd ready{process_.output(), POLLIN, 0};
       const int found = ::poll(&ready, 1, stop_is_seen_within);
       if (found < 0 && errno != EINTR) fail(std::strerror(errno));
-      if (found == 0 && Clock::now() >= deadline_) {
+      if (Clock::now() >= deadline_) {
         fail(fmt::format("it took longer than {} s",
                          std::chrono::duration_cast<std::chrono::seconds>(deadline_ - begin_).count()));
       }

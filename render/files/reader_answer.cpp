@@ -1,8 +1,10 @@
 #include "render/files/reader_answer.h"
 
 #include <cmath>
+#include <utility>
 
 #include "presets/error.h"
+#include "presets/printable.h"
 
 namespace crest {
 namespace {
@@ -11,6 +13,9 @@ Json triple(const auto& v) { return {v.x, v.y, v.z}; }
 
 int integer(const Json& json) {
   if (!json.is_number_integer()) throw Error("a number that is not whole");
+  const bool fits = json.is_number_unsigned() ? std::in_range<int>(json.get<std::uint64_t>())
+                                              : std::in_range<int>(json.get<std::int64_t>());
+  if (!fits) throw Error("a number that is too large");
   return json.get<int>();
 }
 
@@ -48,30 +53,28 @@ Volume volume_from_json(const Json& json) {
   const int type = integer(json.at("type"));
   if (type < 0 || type > int(ScalarType::float16)) throw Error("a type that is none");
   volume.file_type = ScalarType(type);
-  volume.note = json.at("note").get<std::string>();
+  constexpr std::size_t longest_note = 4000;  // the reader has made it shorter
+  volume.note = printable(json.at("note").get<std::string>(), longest_note);
   return volume;
 }
 
 Json choice_to_json(const OpenChoice& choice) {
-  Json json{{"kind", int(choice.kind)},
-            {"path", choice.path},
-            {"query", choice.query},
-            {"count", choice.count},
-            {"options", Json::array()}};
+  Json json{{"kind", int(choice.kind)}, {"count", choice.count}, {"options", Json::array()}};
   for (const ChoiceOption& option : choice.options) json["options"].push_back({option.value, option.text});
   return json;
 }
 
 OpenChoice choice_from_json(const Json& json) {
+  constexpr std::size_t longest_text = 200;  // of an option
   OpenChoice choice;
   const int kind = integer(json.at("kind"));
-  if (kind < 0 || kind > int(ChoiceKind::series)) throw Error("a choice that is none");
+  if (kind <= int(ChoiceKind::raw_layout) || kind > int(ChoiceKind::series))
+    throw Error("a choice that is none");
   choice.kind = ChoiceKind(kind);
-  choice.path = json.at("path").get<std::string>();
-  choice.query = json.at("query").get<Query>();
   choice.count = json.at("count").get<std::uint64_t>();
   for (const Json& option : json.at("options"))
-    choice.options.push_back({option.at(0).get<std::string>(), option.at(1).get<std::string>()});
+    choice.options.push_back(
+        {option.at(0).get<std::string>(), printable(option.at(1).get<std::string>(), longest_text)});
   if (!choice.options.empty() && choice.options.size() != choice.count) throw Error("a choice that is none");
   return choice;
 }

@@ -22,8 +22,9 @@ Json volume_to_json(const Volume& volume);
 /// Without values. Throws Error, or an exception of the JSON library, unless it is a volume's.
 Volume volume_from_json(const Json& json);
 
+/// Without path and query, which the one who asked knows.
 Json choice_to_json(const OpenChoice& choice);
-/// Throws as volume_from_json.
+/// Throws as volume_from_json. Raw voxels are not for the reader's program.
 OpenChoice choice_from_json(const Json& json);
 
 }  // namespace crest

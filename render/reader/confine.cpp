@@ -6,9 +6,11 @@
 #include <linux/sched.h>
 #include <linux/seccomp.h>
 #include <malloc.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
@@ -42,6 +44,14 @@ constexpr unsigned refused[] = {
     SYS_process_vm_readv,
     SYS_process_vm_writev,
     SYS_pidfd_open,
+    SYS_pidfd_send_signal,
+    SYS_tkill,
+    SYS_rt_sigqueueinfo,
+    SYS_rt_tgsigqueueinfo,
+    SYS_ioprio_set,
+    SYS_shmget,
+    SYS_shmat,
+    SYS_mq_open,
     // files that others see
     SYS_unlinkat,
     SYS_renameat2,
@@ -59,6 +69,12 @@ constexpr unsigned refused[] = {
     SYS_setxattr,
     SYS_fsetxattr,
     SYS_lsetxattr,
+    SYS_removexattr,
+    SYS_fremovexattr,
+    SYS_lremovexattr,
+    452,  // fchmodat2, setxattrat and removexattrat, newer than some systems' headers
+    463,
+    466,
     SYS_mount,
     SYS_umount2,
     SYS_open_by_handle_at,
@@ -97,7 +113,7 @@ class Filter {
     load(offsetof(seccomp_data, arch));
     jump(BPF_JEQ, architecture, 1, 0);
     answer(SECCOMP_RET_ALLOW);  // not what it was made for: the limits have to do
-    load(offsetof(seccomp_data, nr));
+    load_call();
     constexpr unsigned x32 = 0x40000000;  // another numbering of the same calls
     jump(BPF_JGE, x32, 0, 1);
     answer(SECCOMP_RET_ERRNO | ENOSYS);
@@ -111,6 +127,16 @@ class Filter {
     refuse_with(SYS_open, 1, BPF_JSET, writes, true);
 #endif
     refuse_with(SYS_clone, 0, BPF_JSET, CLONE_THREAD, false);  // threads may be
+    // Typing into a terminal.
+    refuse_with(SYS_ioctl, 1, BPF_JEQ, TIOCSTI, true);
+    refuse_with(SYS_ioctl, 1, BPF_JEQ, TIOCLINUX, true);
+    // Others' limits, places and ranks; itself it may end, by abort().
+    for (const unsigned call : {SYS_prlimit64, SYS_sched_setaffinity, SYS_sched_setscheduler,
+                                SYS_sched_setparam, SYS_sched_setattr})
+      refuse_with(call, 0, BPF_JEQ, 0, false);
+    refuse_with(SYS_setpriority, 0, BPF_JEQ, PRIO_USER, true);
+    refuse_with(SYS_setpriority, 1, BPF_JEQ, 0, false);
+    refuse_with(SYS_tgkill, 0, BPF_JEQ, unsigned(::getpid()), false);
     answer(SECCOMP_RET_ALLOW);
   }
 
@@ -120,6 +146,7 @@ class Filter {
   }
 
  private:
+  void load_call() { load(offsetof(seccomp_data, nr)); }
   void load(std::size_t offset) { code_.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, unsigned(offset))); }
   void answer(unsigned what) { code_.push_back(BPF_STMT(BPF_RET | BPF_K, what)); }
   /// Leaps over so many.
@@ -137,7 +164,7 @@ class Filter {
     load(offsetof(seccomp_data, args) + argument * sizeof(__u64));  // both are little-endian
     jump(test, value, is ? 0 : 1, is ? 1 : 0);
     answer(SECCOMP_RET_ERRNO | EPERM);
-    answer(SECCOMP_RET_ALLOW);
+    load_call();  // for the next check
   }
 
   std::vector<sock_filter> code_;
@@ -151,6 +178,7 @@ void limit(__rlimit_resource resource, rlim_t most) {
 }  // namespace
 
 void confine() {
+  ::setsid();  // away from the terminal
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::mallopt(M_ARENA_MAX, 2);  // each thread's own would take 64 MB of the address space
   limit(RLIMIT_CORE, 0);

@@ -41,9 +41,18 @@ std::set<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-AllSeries find_series(const fs::path& folder) {
+/// Of files elsewhere; each counts a little more, as it is opened and parsed.
+std::uint64_t bytes_outside(const fs::path& folder, const std::set<fs::path>& files) {
+  constexpr std::uint64_t a_file = std::uint64_t(1) << 16;
+  std::uint64_t bytes = 0;
+  for (const fs::path& file : files)
+    if (file.parent_path() != folder) bytes += fs::file_size(file) + a_file;
+  return bytes;
+}
+
+AllSeries find_series(const std::set<fs::path>& files) {
   AllSeries series;
-  for (const fs::path& file : files_in(folder))
+  for (const fs::path& file : files)
     for (DicomImage& image : read_dicom_images(file)) series[image.series].push_back(std::move(image));
   return series;
 }
@@ -68,8 +77,8 @@ OpenChoice choice_of(const FileRequest& request, const AllSeries& all) {
 }
 
 /// The images of the series that the query names, or of the one with the most.
-Images series_images(const FileRequest& request, std::string& note) {
-  auto all = find_series(request.path);
+Images series_images(const FileRequest& request, const std::set<fs::path>& files, std::string& note) {
+  auto all = find_series(files);
   if (all.empty()) throw Error(fmt::format("{}: its DICOM files hold no images", request.name()));
   auto chosen = std::ranges::max_element(all, {}, [](const auto& entry) { return entry.second.size(); });
   if (const auto asked = request.query.find("series"); asked != request.query.end()) {
@@ -124,8 +133,9 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
       select_one(request, ChoiceKind::frame, stack.frames.size(), volume.note, stack.frame_names));
   const Images& slices = stack.frames[frame];
   const DicomImage& first = slices.front();
-  const auto component = std::size_t(
-      select_one(request, ChoiceKind::component, first.samples, volume.note, colour_names(first.samples)));
+  const auto component =
+      std::size_t(select_one(request, ChoiceKind::component, first.samples, volume.note,
+                             first.photometric == "RGB" ? colour_names(first.samples) : Names()));
   add_note(volume.note, note);
   const glm::u64vec3 dims(first.columns, first.rows, slices.size());
   if (dims.z < 2) throw Error(fmt::format("{}: one DICOM slice: open the folder with its series", name));
@@ -164,9 +174,11 @@ Volume read_dicom_file(const FileRequest& request) {
 
 Volume read_dicom_series(const FileRequest& request) {
   require_known_keys(request.name(), request.query, "component,frame,series,subtract");
+  const std::set<fs::path> files = files_in(request.path);
+  const FileRequest whole = request.reading_also(bytes_outside(request.path, files));
   std::string note;
-  Images images = series_images(request, note);
-  return read_images(request, std::move(images), note);
+  Images images = series_images(whole, files, note);
+  return read_images(whole, std::move(images), note);
 }
 
 }  // namespace crest

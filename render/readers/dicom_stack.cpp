@@ -31,17 +31,19 @@ bool are_alike(const DicomImage& a, const DicomImage& b) {
 
 /// The same image twice: of one instance, and at one place.
 bool is_copy(const DicomImage& a, const DicomImage& b) {
-  return !a.instance.empty() && a.instance == b.instance && a.frame == b.frame && a.number == b.number &&
-         a.position == b.position && a.file != b.file;
+  return a.file != b.file && a.instance == b.instance && a.frame == b.frame && a.number == b.number &&
+         a.position == b.position;
 }
 
 Images without_copies(Images images, std::string& note) {
-  std::map<std::string, Images> seen;
+  std::map<std::pair<std::string, std::size_t>, Images> seen;  // a file's frames are of one instance
   Images kept;
   for (DicomImage& image : images) {
-    Images& same = seen[image.instance];
-    if (std::ranges::any_of(same, [&](const DicomImage& other) { return is_copy(other, image); })) continue;
-    same.push_back(image);
+    if (!image.instance.empty()) {
+      Images& same = seen[{image.instance, image.frame}];
+      if (std::ranges::any_of(same, [&](const DicomImage& other) { return is_copy(other, image); })) continue;
+      same.push_back(image);
+    }
     kept.push_back(std::move(image));
   }
   if (const std::size_t copies = images.size() - kept.size(); copies > 0)

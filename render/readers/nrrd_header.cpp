@@ -228,7 +228,11 @@ VoxelHeader read_nrrd_header(const fs::path& path) {
     throw Error(fmt::format("{}: byte skip: {} in compressed data; it is from 0 to {}", name, byte_skip,
                             most_inflated));
   }
-  if (byte_skip > 0) header.data.skip = std::uint64_t(byte_skip);
+  const bool is_text =
+      header.data.encoding == Encoding::decimal || header.data.encoding == Encoding::hexadecimal;
+  if (is_text && byte_skip < 0)
+    throw Error(fmt::format("{}: byte skip: -1 in a text; it is for raw voxels", name));
+  if (byte_skip > 0) (is_text ? header.data.offset : header.data.skip) += std::uint64_t(byte_skip);
   header.data.at_file_end = byte_skip == -1;
   return header;
 }

@@ -138,6 +138,7 @@ Volume read_image_folder(const FileRequest& request) {
   for (const auto& entry : fs::directory_iterator(request.path)) {
     if (is_image(entry.path())) files.push_back(entry.path().string());
   }
+  if (files.empty()) throw Error(fmt::format("{}: a folder without images", request.name()));
   std::ranges::sort(files, natural_less);
   Stack stack;
   std::size_t several = 0;

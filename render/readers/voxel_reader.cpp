@@ -62,6 +62,16 @@ std::vector<float> gather(std::span<const std::byte> bytes, const VoxelHeader& h
   return values;
 }
 
+/// Of other files than the one that is named, and of what is inflated to find a part of it.
+std::uint64_t bytes_besides(const std::filesystem::path& path, const VoxelHeader& header,
+                            std::uint64_t stored) {
+  const bool inflates = header.data.encoding == Encoding::deflate;
+  std::uint64_t bytes = inflates ? header.data.skip + stored * size_of(header.type) : 0;
+  for (const auto& file : header.data.files)
+    if (file != path) bytes += std::filesystem::file_size(file);
+  return bytes;
+}
+
 }  // namespace
 
 VoxelLayout interleaved(glm::u64vec3 dims, std::uint64_t components, std::uint64_t frames) {
@@ -85,9 +95,11 @@ Volume read_voxels(const FileRequest& request, const VoxelHeader& header, const 
   require_room(name, header.data, stored, size_of(header.type));
   VoxelHeader as_read = header;
   if (header.data.encoding == Encoding::decimal) as_read.endian = std::endian::native;
-  return read_voxels(request, as_read, keys, [&](std::uint64_t first, std::uint64_t count) {
-    return read_stored(name, header.data, header.type, stored, first, count);
-  });
+  const std::uint64_t besides = bytes_besides(request.path, header, stored);
+  return read_voxels(request.reading_also(besides), as_read, keys,
+                     [&](std::uint64_t first, std::uint64_t count) {
+                       return read_stored(name, header.data, header.type, stored, first, count);
+                     });
 }
 
 Volume read_voxels(const FileRequest& request, const VoxelHeader& header, const std::string& keys,

@@ -83,6 +83,20 @@ TEST_F(Hostile, SkippingInCompressedData) {
   EXPECT_EQ(volume.values[1], float(stored_value(uint8, 1)));
 }
 
+TEST_F(Hostile, SkippingInAText) {
+  std::string hex, numbers;
+  for (int i = 0; i < points; ++i) hex += fmt::format("{:02x}", i), numbers += fmt::format("{} ", i);
+  for (const auto& [encoding, text] : {std::pair("hex", hex), std::pair("ascii", numbers)}) {
+    const std::string skipped = "xyz" + text;
+    for (const char* key : {"byte skip", "byteskip"}) {
+      const Volume volume =
+          load_volume(write("a.nrrd", nrrd_with(fmt::format("{}: 3\n", key), encoding, skipped)));
+      EXPECT_EQ(volume.values[59], 59.f) << encoding;
+    }
+    expect_error(write("a.nrrd", nrrd_with("byte skip: -1\n", encoding, skipped)), {"byte skip: -1", "raw"});
+  }
+}
+
 /// A DICOM file of two frames of 4x3 pixels.
 std::string dicom(int samples, int bits, const std::string& pixels, int planar = 0,
                   const std::string& syntax = "1.2.840.10008.1.2.1", const std::string& more = "") {
@@ -122,6 +136,14 @@ TEST_F(Hostile, ColourWithARescaleIsRead) {
   const Volume volume = load_volume(file + "?component=0");
   EXPECT_EQ(volume.grid.dims, glm::ivec3(4, 3, 2));
   for (int i = 0; i < 24; ++i) EXPECT_EQ(volume.values[std::size_t(i)], float(3 * i));
+}
+
+TEST_F(Hostile, SamplesOfYbrAreNotCalledColours) {
+  std::string file = dicom(3, 8, pixel_data(std::string(72, 'x')));
+  const std::string rgb = dicom_element(0x28, 4, "CS", "RGB");
+  expect_error(write("rgb.dcm", file), {"3 components (red, green, blue)"});
+  file.replace(file.find(rgb), rgb.size(), dicom_element(0x28, 4, "CS", "YBR_FULL"));
+  expect_error(write("ybr.dcm", file), {"3 components, and"});
 }
 
 TEST_F(Hostile, DicomThatTakesItsDecodersDown) {

@@ -52,6 +52,20 @@ TEST_F(RawTest, ByteCountMustAgreeExactly) {
   }
 }
 
+TEST_F(RawTest, ReadingCanBeStopped) {
+  std::stop_source stop;
+  stop.request_stop();
+  Reading reading;
+  reading.stop = stop.get_token();
+  const std::string file = write("v.raw", std::string(60, 'a'));
+  try {
+    load_volume(file + "?size=5x4x3&type=uint8", reading);
+    ADD_FAILURE() << "it was read";
+  } catch (const std::exception& error) {
+    EXPECT_EQ(std::string(error.what()), file + ": reading it was stopped");
+  }
+}
+
 TEST_F(RawTest, WrongQueriesAreSaid) {
   const std::string file = write("v.raw", std::string(60, 'x'));
   expect_error(file, {"unknown size", "?size="});

@@ -8,6 +8,8 @@
 #include "files.h"
 #include "presets/error.h"
 #include "render/files/load.h"
+#include "render/files/open_choice.h"
+#include "render/files/reader_process.h"
 #include "tests/paths.h"
 
 namespace crest::test {
@@ -48,7 +50,8 @@ TEST_F(FailingReader, ItsEndIsAnError) {
 
 TEST_F(FailingReader, ALoopIsEnded) {
   EXPECT_EQ(error_of("loop"), "its reader failed (it took longer than 1 s of processor time)");  // as it told
-  EXPECT_EQ(error_of("sleep", std::chrono::seconds(1)), "its reader failed (it took longer than 1 s)");
+  for (const char* what : {"sleep", "drip", "repeat"})
+    EXPECT_EQ(error_of(what, std::chrono::seconds(1)), "its reader failed (it took longer than 1 s)") << what;
 }
 
 TEST_F(FailingReader, MemoryHasAnEnd) {
@@ -62,9 +65,26 @@ TEST_F(FailingReader, MemoryHasAnEnd) {
 TEST_F(FailingReader, AnAnswerIsHeldAgainstItself) {
   for (const char* what : {"short", "unfinished"})
     EXPECT_EQ(error_of(what), "its reader failed (it ended before its answer did)") << what;
-  for (const char* what : {"garbage", "deep", "endless", "count", "negative", "flat", "spacing", "other"})
+  for (const char* what :
+       {"garbage", "deep", "endless", "count", "negative", "flat", "spacing", "other", "wide", "raw"})
     EXPECT_EQ(error_of(what), "its reader failed (its answer makes no sense)") << what;
   EXPECT_NE(error_of("huge").find("memory"), std::string::npos) << error_of("huge");
+}
+
+TEST_F(FailingReader, WhatIsShownOrOpenedNextIsNotItsToSay) {
+  Reading reading;
+  reading.reader = bad_reader_program();
+  const std::string file = write("v.nrrd", "the reader does not read it");
+  const std::string note = load_volume(file + "?do=note", reading).note;
+  EXPECT_TRUE(note.starts_with("a\\x1b[31m")) << note.substr(0, 100);
+  EXPECT_LT(note.size(), 5000U);
+  try {
+    load_volume(file + "?do=choice", reading);
+    ADD_FAILURE() << "there was no choice";
+  } catch (const ChoiceNeeded& needed) {
+    EXPECT_EQ(chosen_source(needed.choice, 0), file + "?do=choice&frame=0");
+    EXPECT_EQ(needed.choice.options[0].text, "a\\x1b[31mb");
+  }
 }
 
 TEST_F(FailingReader, OneThatIsNotThereIsSaid) {
@@ -111,6 +131,43 @@ TEST_F(FailingReader, InheritsNothingThatIsOpen) {
   close(ends[0]);
   stop.request_stop();
   other.join();
+}
+
+/// What the reader's program tells that it sets about.
+class Expectations : public FileTest {
+ protected:
+  /// The greatest number of bytes.
+  static double of(const std::vector<std::string>& words) {
+    const ReaderProcess process(reader_program(), words);
+    std::string answer;
+    char block[4096];
+    for (ssize_t got = 0; (got = ::read(process.output(), block, sizeof block)) > 0;)
+      answer.append(block, std::size_t(got));
+    const std::string key = "\"expects\":";
+    double greatest = 0;
+    for (std::size_t at = 0; (at = answer.find(key, at)) != std::string::npos; at += key.size())
+      greatest = std::max(greatest, std::stod(answer.substr(at + key.size(), 20)));
+    EXPECT_NE(answer.find("\"volume\""), std::string::npos) << answer;
+    return greatest;
+  }
+  static constexpr const char* memory = "1000000000";
+};
+
+TEST_F(Expectations, CountTheFilesBesides) {
+  const std::string skipped(1000000, 'x');
+  write("v.raw", skipped + std::string(60, 'v'));
+  const std::string header = write("v.nhdr",
+                                   "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 5 4 3\nencoding: raw\n"
+                                   "byte skip: 1000000\ndata file: v.raw\n");
+  EXPECT_GT(of({"nrrd", memory, "decides", header}), 1000060.);
+}
+
+TEST_F(Expectations, CountWhatIsInflatedToFindAPart) {
+  const std::string film = write("film.nrrd",
+                                 "NRRD0004\ntype: uint8\ndimension: 4\nsizes: 5 4 3 20000\n"
+                                 "kinds: space space space time\nencoding: gzip\n\n" +
+                                     gzip(std::string(1200000, 'v')));
+  EXPECT_GT(of({"nrrd", memory, "decides", film, "frame=0"}), 1200000.);
 }
 
 }  // namespace

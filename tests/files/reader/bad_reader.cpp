@@ -2,15 +2,23 @@
 // volume of 2x2x2.
 
 #include <fcntl.h>
+#include <sched.h>
+#include <sys/ioctl.h>
+#include <sys/resource.h>
+#include <sys/shm.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "render/reader/confine.h"
@@ -25,10 +33,50 @@ std::string volume(const std::string& dims = "[2,2,2]", const std::string& value
          "}\n";
 }
 
+std::string with_note(const std::string& note) {
+  std::string text = volume();
+  return text.insert(text.find(R"("note":")") + 8, note);
+}
+
+/// Never silent, and never done.
+[[noreturn]] void drip() {
+  while (true) {
+    std::cout << 'x' << std::flush;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+[[noreturn]] void repeat() {
+  while (true) {
+    std::cout << R"({"expects":1000,"seconds":1000})" << std::endl;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
 /// Takes more and more memory, all of it used.
 [[noreturn]] void allocate() {
   std::vector<std::vector<char>> taken;
   while (true) taken.emplace_back(std::size_t(16) << 20, 'x');
+}
+
+/// What it can do to other processes, here the one that started it, and to what others share.
+void try_others(const std::string& path, std::string& open_doors) {
+  const pid_t parent = ::getppid();
+  cpu_set_t cpus;
+  rlimit limits;
+  if (::getsid(0) != ::getpid()) open_doors += " session";
+  if (::syscall(SYS_tgkill, parent, parent, 0) == 0) open_doors += " signals";
+  if (::setpriority(PRIO_PROCESS, id_t(parent), ::getpriority(PRIO_PROCESS, id_t(parent))) == 0)
+    open_doors += " priority";
+  if (::prlimit(parent, RLIMIT_CORE, nullptr, &limits) == 0) open_doors += " limits";
+  if (::getrlimit(RLIMIT_CORE, &limits) != 0) open_doors += " no limits of its own";
+  if (::sched_getaffinity(parent, sizeof cpus, &cpus) == 0 &&
+      ::sched_setaffinity(parent, sizeof cpus, &cpus) == 0)
+    open_doors += " affinity";
+  if (::ioctl(STDIN_FILENO, TIOCSTI, "x") == 0 || errno != EPERM) open_doors += " typing";
+  if (::ioctl(STDIN_FILENO, FIONREAD, &limits) != 0 && errno == EPERM) open_doors += " no ioctl";
+  if (::removexattr(path.c_str(), "user.none") == 0 || errno != EPERM) open_doors += " attributes";
+  if (::shmat(-1, nullptr, 0) != nullptr && errno != EPERM) open_doors += " shared memory";
+  if (::syscall(SYS_mq_open, "crest", O_RDONLY, 0, nullptr) >= 0 || errno != EPERM) open_doors += " queues";
 }
 
 /// What the system still does for it, as an error for the test to read.
@@ -40,6 +88,7 @@ void try_doors(const std::string& path) {
   if (::unlink(path.c_str()) == 0) open_doors += " removing";
   if (::socket(AF_INET, SOCK_STREAM, 0) >= 0) open_doors += " network";
   if (::fork() >= 0) open_doors += " fork";
+  try_others(path, open_doors);
   ::execl("/bin/true", "true", nullptr);
   std::cout << R"({"error":"doors:)" << open_doors << "\"}\n" << std::flush;
 }
@@ -83,6 +132,14 @@ int main(int argc, char** argv) {
     std::cout << R"({"error":"a\u001b[31m\nb"})"
               << "\n";
   if (what == "doors") try_doors(path);
+  if (what == "drip") drip();
+  if (what == "repeat") repeat();
+  if (what == "wide") std::cout << volume("[4294967298,2,2]", "8") << voxels;
+  if (what == "note") std::cout << with_note("a\\u001b[31m" + std::string(100000, 'x')) << voxels;
+  if (what == "choice" || what == "raw")
+    std::cout << R"({"error":"choose","choice":{"kind":)" << (what == "raw" ? 0 : 2)
+              << R"(,"path":"/elsewhere","query":{"a":"b"},"count":1,"options":[["0","a\u001b[31mb"]]}})"
+              << "\n";
   std::cout.flush();
   return 0;
 }
