@@ -45,8 +45,7 @@ bool open_on_desktop(const fs::path& file) {
 
 ManualOpened open_manual(const std::string& page) {
   const fs::path file = manual_page(page, docs_folders());
-  if (file.empty())
-    return {"The manual is not there: it comes with Crest's sources, as docs/manual", true};
+  if (file.empty()) return {"The manual is not there: it comes with Crest's sources, as docs/manual", true};
   if (!open_on_desktop(file))
     return {fmt::format("No program to open it with was found; the manual is {}", file.string()), true};
   return {fmt::format("The manual is {}", file.string())};

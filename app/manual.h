@@ -7,8 +7,8 @@
 
 namespace crest {
 
-/// Where the manual may lie: beside the program where it is installed (share/doc/crest/docs), and in the sources
-/// that it was built from.
+/// Where the manual may lie: beside the program where it is installed (share/doc/crest/docs), and in the
+/// sources that it was built from.
 std::vector<std::filesystem::path> docs_folders();
 /// Of the sources.
 std::filesystem::path docs_of_sources();

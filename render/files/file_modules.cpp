@@ -8,8 +8,8 @@
 namespace crest {
 namespace {
 
-/// Where the modules and the reader lie, from the place of the program or of the reader: as installed, else as
-/// built. (The run path does not do, since AddressSanitizer's dlopen has another one.)
+/// Where the modules and the reader lie, from the place of the program or of the reader: as installed, else
+/// as built. (The run path does not do, since AddressSanitizer's dlopen has another one.)
 std::filesystem::path render_folder() {
   std::error_code fault;
   const auto root = std::filesystem::read_symlink("/proc/self/exe", fault).parent_path().parent_path();
