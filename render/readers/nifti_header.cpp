@@ -165,7 +165,9 @@ void take_geometry(const Nifti& n, VoxelHeader& header) {
       const glm::dvec3 vector(n.rows[0][column], n.rows[1][column], n.rows[2][column]);
       header.direction[column] = to_lps * vector / glm::length(vector);
       const double length = glm::length(vector) * millimetres, spacing = header.spacing[column];
-      if (std::abs(length - spacing) > tolerance * spacing)
+      if (!(spacing > 0))
+        header.spacing[column] = length;
+      else if (std::abs(length - spacing) > tolerance * spacing)
         add_note(header.note,
                  fmt::format("on axis {} its sform says a spacing of {:.6g}, and its pixdim {:.6g}, "
                              "which is taken",

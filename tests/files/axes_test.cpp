@@ -107,6 +107,17 @@ TEST_F(Axes, SecondNiftiAndPairs) {
   EXPECT_NE(analyze.note.find("Analyze"), std::string::npos) << analyze.note;
 }
 
+TEST_F(Axes, OfNiftiWithoutSpacingHaveTheSforms) {
+  std::string bytes = nifti_header(uint8, endian::little, 0, 0), rows;
+  for (const double v : {0.5, 0., 0., 0., 0., 2., 0., 0., 0., 0., 4., 0.})
+    append_value(rows, v, float32, endian::little);
+  bytes.replace(280, rows.size(), rows);
+  bytes.replace(80, 12, std::string(12, '\0'));
+  bytes[254] = 1;
+  const Volume volume = load_volume(write("a.nii", bytes + voxel_bytes(uint8, endian::little)));
+  EXPECT_EQ(volume.grid.spacing, glm::dvec3(0.5, 2, 4));
+}
+
 TEST_F(Axes, OfNrrdNeedNoKinds) {
   std::string numbers;
   for (int i = 0; i < 120; ++i) numbers += fmt::format("{} ", i);
