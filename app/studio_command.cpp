@@ -48,7 +48,7 @@ ReadSettings settings_for(const StudioOptions& options) {
   return read;
 }
 
-constexpr double interactive_ms = 12;  ///< for the views, in a frame in which the person does something
+constexpr double interactive_ms = 3;  ///< for the views, in a frame in which the person acts: it stays live
 constexpr double resting_ms = 80;
 constexpr double rest_after_s = 0.25;       ///< since the last input
 constexpr int settling_frames = 3;          ///< that Dear ImGui takes to show what an input did
