@@ -22,16 +22,6 @@ std::vector<std::uint8_t> rgb_bytes(const Image& image) {
   return bytes;
 }
 
-std::string encode_png(const std::filesystem::path& path, const Image& image, glm::vec3 background,
-                       const std::string& preset) {
-  const auto bytes = rgb_bytes(over_background(image, background));
-  return image_module().encode_rgb8(path, image.size, bytes.data(), preset);
-}
-
-std::string encode_exr(const std::filesystem::path& path, const Image& image, const std::string& preset) {
-  return image_module().encode_rgba32f(path, image.size, image.pixels.data(), preset);
-}
-
 }  // namespace
 
 Image over_background(Image image, glm::vec3 background) {
@@ -46,16 +36,22 @@ void require_picture_file(const std::filesystem::path& path) {
   require_writable(path);
 }
 
+std::string encode_image(const std::filesystem::path& path, const Image& image, glm::vec3 background,
+                         const std::string& preset) {
+  if (path.extension() == ".exr")
+    return image_module().encode_rgba32f(path, image.size, image.pixels.data(), preset);
+  const auto bytes = rgb_bytes(over_background(image, background));
+  return image_module().encode_rgb8(path, image.size, bytes.data(), preset);
+}
+
 void write_image(const std::filesystem::path& path, const Image& image, glm::vec3 background,
                  const std::string& preset) {
   require_picture_file(path);
-  const auto extension = path.extension();
-  write_file_atomically(path, extension == ".png" ? encode_png(path, image, background, preset)
-                                                  : encode_exr(path, image, preset));
+  write_file_atomically(path, encode_image(path, image, background, preset));
 }
 
 std::string png_of(const Image& image, glm::vec3 background) {
-  return encode_png("picture.png", image, background, "");
+  return encode_image("picture.png", image, background);
 }
 
 std::string preset_in_picture(const std::filesystem::path& path) { return read_preset_beside({path}); }

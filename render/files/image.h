@@ -32,11 +32,15 @@ void require_picture_file(const std::filesystem::path& path);
 void write_image(const std::filesystem::path& path, const Image& image, glm::vec3 background,
                  const std::string& preset = {});
 
+/// What such a file holds; the ending of `path` alone counts.
+std::string encode_image(const std::filesystem::path& path, const Image& image, glm::vec3 background,
+                         const std::string& preset = {});
+
 /// The text of the preset that such a file holds; empty where it holds none. Throws Error for what is no
 /// picture.
 std::string preset_in_picture(const std::filesystem::path& path);
 
-/// What such a .png holds.
+/// A .png's bytes.
 std::string png_of(const Image& image, glm::vec3 background);
 
 /// Reads an image file as premultiplied RGBA (alpha 1 where it has none). Throws Error.
