@@ -1,7 +1,10 @@
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <thread>
 
@@ -108,9 +111,11 @@ TEST_F(FailingReader, IsEndedWhenNobodyWantsTheFile) {
 }
 
 TEST_F(FailingReader, CanReadFilesAndNoMore) {
-  const std::string doors = error_of("doors");
-  if (doors.find("network") != std::string::npos) GTEST_SKIP() << "this system has no seccomp filters";
-  EXPECT_EQ(doors, "doors:");
+  // The kernel itself is asked: without a program it finds a bad address where it takes filters at all
+  ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  if (::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr) == 0 || errno != EFAULT)
+    GTEST_SKIP() << "this system has no seccomp filters";
+  EXPECT_EQ(error_of("doors"), "doors:");
   EXPECT_TRUE(std::filesystem::exists(path("v.nrrd")));
 }
 
