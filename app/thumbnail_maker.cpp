@@ -56,13 +56,11 @@ Volume thinned(const Volume& volume, int most) {
     const int last = small.grid.dims[axis] - 1;
     return int((std::int64_t(i) * (dims[axis] - 1) + last / 2) / last);
   };
-  small.values.reserve(small.grid.point_count());
+  std::vector<float>& values = small.values.floats();
+  values.reserve(small.grid.point_count());
   for (int k = 0; k < small.grid.dims.z; ++k)
     for (int j = 0; j < small.grid.dims.y; ++j)
-      for (int i = 0; i < small.grid.dims.x; ++i) {
-        const auto row = std::size_t(at(k, 2)) * std::size_t(dims.y) + std::size_t(at(j, 1));
-        small.values.push_back(volume.values[row * std::size_t(dims.x) + std::size_t(at(i, 0))]);
-      }
+      for (int i = 0; i < small.grid.dims.x; ++i) values.push_back(volume.at(at(i, 0), at(j, 1), at(k, 2)));
   small.statistics = compute_statistics(small.grid, small.values);
   return small;
 }

@@ -97,7 +97,7 @@ void answer_volume(const Answer& answer, Volume volume) {
   repair_geometry(volume);
   volume.note = printable(volume.note);
   answer.line({{"volume", volume_to_json(volume)}, {"values", volume.values.size()}});
-  answer.values(volume.values);
+  answer.values(volume.values.to_floats());
 }
 
 void answer_task(const Answer& answer, const Task& task) {

@@ -147,7 +147,8 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   add_note(volume.note, geometry.note);
   add_note(volume.note, orientation_note(geometry.direction));
   note_values(slices, volume.note);
-  volume.values.resize(volume.grid.point_count());
+  std::vector<float>& values = volume.values.floats();
+  values.resize(volume.grid.point_count());
   const std::size_t points = dims.x * dims.y;
   Pixels pixels;
   const LinearMap subtraction = subtracted(request, {}, volume.note);
@@ -158,7 +159,7 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
     LinearMap map = slice.samples == 1 ? slice.scaling : LinearMap();
     map.intercept += subtraction.intercept;
     convert_to_float(bytes.subspan(component * size_of(pixels.type())), pixels.type(), slice.samples,
-                     std::span(volume.values).subspan(k * points, points), map);
+                     std::span(values).subspan(k * points, points), map);
   }
   return volume;
 }

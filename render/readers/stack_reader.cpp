@@ -84,7 +84,8 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
   if (!spacing_known)
     add_note(volume.note, "its spacing is not known, and taken as 1: ?spacing=x,y,z says it");
   const LinearMap map = subtracted(request, {}, volume.note);
-  volume.values.resize(volume.grid.point_count());
+  std::vector<float>& values = volume.values.floats();
+  values.resize(volume.grid.point_count());
   const std::size_t points = dims.x * dims.y;
   std::vector<std::byte> bytes(first.bytes());
   std::string rounding;
@@ -94,8 +95,7 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
     require_alike(page, file->format(page.number), first);
     file->read(page.number, bytes);
     const auto samples = std::span<const std::byte>(bytes).subspan(stack.channel * size_of(first.type));
-    convert_to_float(samples, first.type, first.channels,
-                     std::span(volume.values).subspan(k * points, points), map);
+    convert_to_float(samples, first.type, first.channels, std::span(values).subspan(k * points, points), map);
     if (rounding.empty()) rounding = rounding_note(samples, first.type, first.channels, map);
   }
   if (!rounding.empty()) add_note(volume.note, fmt::format("of its images some: {}", rounding));

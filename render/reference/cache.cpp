@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,11 +25,24 @@ constexpr const char* extension = ".reference";
 
 std::uint64_t hash_of(const void* bytes, std::size_t size) { return XXH64(bytes, size, 0); }
 
+/// Of the values, however they are stored.
+std::uint64_t hash_of(const Voxels& values) {
+  constexpr std::size_t block = std::size_t(1) << 16;
+  const std::unique_ptr<XXH64_state_t, decltype(&XXH64_freeState)> state(XXH64_createState(),
+                                                                         XXH64_freeState);
+  XXH64_reset(state.get(), 0);
+  std::vector<float> room;
+  for (std::size_t first = 0; first < values.size(); first += block) {
+    const auto bytes = std::as_bytes(values.part(first, std::min(block, values.size() - first), room));
+    XXH64_update(state.get(), bytes.data(), bytes.size());
+  }
+  return XXH64_digest(state.get());
+}
+
 /// All that the picture depends on, as text: numbers in full, the field as its hash.
 std::string key_of(const Scene& scene, const Camera& camera, glm::ivec2 size, Answer answer,
                    double tolerance) {
   const Grid& grid = scene.volume->grid;
-  const std::vector<float>& values = scene.volume->values;
   Preset preset;
   preset.transfer_function = scene.tf;
   preset.rendering.clip_box = scene.rendering.clip_box;
@@ -42,8 +57,7 @@ std::string key_of(const Scene& scene, const Camera& camera, glm::ivec2 size, An
       "{} {} {}, values {:016x}\nfilter {}, of roots {}\n{}",
       algorithm_version, size.x, size.y, name_of(answer), tolerance, grid.dims.x, grid.dims.y, grid.dims.z,
       grid.spacing.x, grid.spacing.y, grid.spacing.z, grid.origin.x, grid.origin.y, grid.origin.z,
-      hash_of(values.data(), values.size() * sizeof(float)), text_of(filters.dvr), text_of(filters.root),
-      write_preset(preset));
+      hash_of(scene.volume->values), text_of(filters.dvr), text_of(filters.root), write_preset(preset));
 }
 
 fs::path file_of(const fs::path& folder, const std::string& key) {

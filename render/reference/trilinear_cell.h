@@ -13,9 +13,9 @@ class TrilinearCell {
   TrilinearCell(const Volume& volume, glm::ivec3 cell, const Roundings<Real>& roundings)
       : roundings_(roundings) {
     const std::size_t row = std::size_t(volume.grid.dims.x), slice = row * std::size_t(volume.grid.dims.y);
-    const float* first =
-        volume.values.data() + std::size_t(cell.x) + row * std::size_t(cell.y) + slice * std::size_t(cell.z);
-    for (std::size_t i = 0; i < 8; ++i) value_[i] = first[(i & 1) + (i >> 1 & 1) * row + (i >> 2) * slice];
+    const std::size_t first = volume.index(cell.x, cell.y, cell.z);
+    for (std::size_t i = 0; i < 8; ++i)
+      value_[i] = volume.values[first + (i & 1) + (i >> 1 & 1) * row + (i >> 2) * slice];
     const auto [low, high] = std::minmax_element(value_, value_ + 8);
     bounds_ = make_bounds(Real(*low), Real(*high), roundings);
   }

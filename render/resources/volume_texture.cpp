@@ -51,7 +51,8 @@ gl::TextureHandle upload_volume(const Volume& volume) {
     return upload_3d(dims, GL_R32F, GL_RED, GL_FLOAT, values.data(), GL_LINEAR);
   };
   if (volume.has_empty_cells()) return upload_values(units.stored(finite_values(volume)));
-  return units.is_identity() ? upload_values(volume.values) : upload_values(units.stored(volume.values));
+  const std::vector<float> values = volume.values.to_floats();
+  return units.is_identity() ? upload_values(values) : upload_values(units.stored(values));
 }
 
 gl::TextureHandle upload_empty_cells(const Volume& volume, int radius) {

@@ -163,9 +163,10 @@ Volume make_builtin(std::string_view name_and_query, std::uint64_t memory) {
   Volume volume;
   volume.name = entry->builtin.name;
   volume.grid = {glm::ivec3(n), glm::dvec3(2.0 / (n - 1)), glm::dvec3(-1)};
-  volume.values.resize(volume.grid.point_count());
+  std::vector<float>& values = volume.values.floats();
+  values.resize(volume.grid.point_count());
   tbb::parallel_for(0, n, [&](int k) {
-    float* out = volume.values.data() + std::size_t(k) * std::size_t(n) * std::size_t(n);
+    float* out = values.data() + std::size_t(k) * std::size_t(n) * std::size_t(n);
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
         *out++ = float(field.value(volume.grid.origin + volume.grid.spacing * glm::dvec3(i, j, k)));

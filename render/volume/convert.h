@@ -7,14 +7,9 @@
 #include <type_traits>
 
 #include "render/volume/volume.h"
+#include "render/volume/voxels.h"
 
 namespace crest {
-
-/// What a header says that the stored values are to be multiplied by, and what is to be added.
-struct LinearMap {
-  double slope = 1, intercept = 0;
-  bool operator==(const LinearMap&) const = default;
-};
 
 /// A half-precision number as it is stored.
 struct Half {

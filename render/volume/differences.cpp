@@ -22,11 +22,13 @@ double largest_in_row(const float* values, std::size_t count, std::size_t offset
   return largest;
 }
 
-glm::dvec3 largest_in_slice(const glm::ivec3 dims, const std::vector<float>& values, int k) {
+/// Within a slice, and to the next one.
+glm::dvec3 largest_in_slice(const glm::ivec3 dims, const Voxels& values, int k, std::vector<float>& room) {
   const std::size_t x = std::size_t(dims.x), slice = x * std::size_t(dims.y);
+  const float* first = values.part(std::size_t(k) * slice, k + 1 < dims.z ? 2 * slice : slice, room).data();
   glm::dvec3 largest(0);
   for (int j = 0; j < dims.y; ++j) {
-    const float* row = values.data() + std::size_t(k) * slice + std::size_t(j) * x;
+    const float* row = first + std::size_t(j) * x;
     largest.x = std::max(largest.x, largest_in_row(row, x - 1, 1));
     if (j + 1 < dims.y) largest.y = std::max(largest.y, largest_in_row(row, x, x));
     if (k + 1 < dims.z) largest.z = std::max(largest.z, largest_in_row(row, x, slice));
@@ -36,18 +38,19 @@ glm::dvec3 largest_in_slice(const glm::ivec3 dims, const std::vector<float>& val
 
 }  // namespace
 
-glm::dvec3 largest_differences(const Grid& grid, const std::vector<float>& values) {
+glm::dvec3 largest_differences(const Grid& grid, const Voxels& values) {
   return tbb::parallel_reduce(
       tbb::blocked_range<int>(0, grid.dims.z), glm::dvec3(0),
       [&](const auto& slices, glm::dvec3 largest) {
+        std::vector<float> room;
         for (int k = slices.begin(); k != slices.end(); ++k)
-          largest = glm::max(largest, largest_in_slice(grid.dims, values, k));
+          largest = glm::max(largest, largest_in_slice(grid.dims, values, k, room));
         return largest;
       },
       [](glm::dvec3 a, glm::dvec3 b) { return glm::max(a, b); });
 }
 
-PointBox empty_part(const Grid& grid, const std::vector<float>& values) {
+PointBox empty_part(const Grid& grid, const Voxels& values) {
   glm::ivec3 low = grid.dims, high(-1);
   std::size_t index = 0;
   for (int k = 0; k < grid.dims.z; ++k)

@@ -11,13 +11,13 @@
 namespace crest {
 
 /// VolumeStatistics::largest_difference.
-glm::dvec3 largest_differences(const Grid& grid, const std::vector<float>& values);
+glm::dvec3 largest_differences(const Grid& grid, const Voxels& values);
 
 /// Grid points, both ends included.
 struct PointBox {
   glm::ivec3 min{0}, max{-1};
 };
 /// VolumeStatistics::empty_min and empty_max, of a grid in which a value is NaN or infinite.
-PointBox empty_part(const Grid& grid, const std::vector<float>& values);
+PointBox empty_part(const Grid& grid, const Voxels& values);
 
 }  // namespace crest

@@ -48,7 +48,7 @@ std::vector<std::uint8_t> find_empty_cells(const Volume& volume, int radius) {
 }
 
 std::vector<float> finite_values(const Volume& volume) {
-  auto values = volume.values;
+  std::vector<float> values = volume.values.to_floats();
   const auto dims = volume.grid.dims;
   for_each_hole(volume, [&](int i, int j, int k) {
     values[std::size_t(i) + std::size_t(dims.x) * (std::size_t(j) + std::size_t(dims.y) * std::size_t(k))] =

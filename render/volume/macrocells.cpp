@@ -24,10 +24,11 @@ struct Extent {
 
 Extent extent_of(const Volume& volume, glm::ivec3 from, glm::ivec3 to, double origin) {
   Extent extent;
+  std::vector<float> room;
   for (int k = from.z; k <= to.z; ++k)
     for (int j = from.y; j <= to.y; ++j)
-      for (int i = from.x; i <= to.x; ++i) {
-        const float value = volume.at(i, j, k);
+      for (const float value :
+           volume.values.part(volume.index(from.x, j, k), std::size_t(to.x - from.x + 1), room)) {
         if (!std::isfinite(value)) continue;
         extent.min = std::min(extent.min, value);
         extent.max = std::max(extent.max, value);

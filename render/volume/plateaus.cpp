@@ -34,11 +34,13 @@ void count_slice(const Grid& grid, const float* slice, Counts& counts) {
 
 }  // namespace
 
-std::vector<float> find_plateaus(const Grid& grid, const std::vector<float>& values) {
+std::vector<float> find_plateaus(const Grid& grid, const Voxels& values) {
   const std::size_t slice = std::size_t(grid.dims.x) * std::size_t(grid.dims.y);
   tbb::enumerable_thread_specific<Counts> parts;
-  tbb::parallel_for(0, grid.dims.z - 1,
-                    [&](int z) { count_slice(grid, values.data() + slice * std::size_t(z), parts.local()); });
+  tbb::parallel_for(0, grid.dims.z - 1, [&](int z) {
+    std::vector<float> room;
+    count_slice(grid, values.part(slice * std::size_t(z), 2 * slice, room).data(), parts.local());
+  });
   std::map<float, std::size_t> counts;
   for (const Counts& part : parts)
     for (const auto& [value, count] : part) counts[value] += count;

@@ -64,12 +64,13 @@ Moments join(const Moments& a, const Moments& b) {
 
 }  // namespace
 
-VolumeStatistics compute_statistics(const Grid& grid, const std::vector<float>& values, int bins) {
+VolumeStatistics compute_statistics(const Grid& grid, const Voxels& values, int bins) {
   const std::size_t chunks = (values.size() + chunk_size - 1) / chunk_size;
   std::vector<Moments> parts(chunks);
   tbb::parallel_for(std::size_t(0), chunks, [&](std::size_t c) {
     const std::size_t begin = c * chunk_size;
-    parts[c] = moments_of(std::span(values).subspan(begin, std::min(chunk_size, values.size() - begin)));
+    std::vector<float> room;
+    parts[c] = moments_of(values.part(begin, std::min(chunk_size, values.size() - begin), room));
   });
   Moments all;
   for (const Moments& part : parts) all = join(all, part);
@@ -93,15 +94,15 @@ VolumeStatistics compute_statistics(const Grid& grid, const std::vector<float>& 
   return statistics;
 }
 
-std::vector<std::uint64_t> histogram_of(const std::vector<float>& values, ValueRange range, int bins) {
+std::vector<std::uint64_t> histogram_of(const Voxels& values, ValueRange range, int bins) {
   using Counts = std::vector<std::uint64_t>;
   const std::size_t size = std::size_t(std::max(bins, 1));
   const double scale = range.width() > 0 ? double(size) / range.width() : 0;
   tbb::enumerable_thread_specific<Counts> counts(Counts(size, 0));
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), chunk_size), [&](const auto& part) {
     Counts& mine = counts.local();
-    for (std::size_t i = part.begin(); i != part.end(); ++i) {
-      const double v = values[i];
+    std::vector<float> room;
+    for (const double v : values.part(part.begin(), part.size(), room)) {
       if (!std::isfinite(v) || v < range.min || v > range.max) continue;
       ++mine[std::min(std::size_t((v - range.min) * scale), size - 1)];
     }

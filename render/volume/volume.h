@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "presets/transfer_function.h"
+#include "render/volume/voxels.h"
 
 namespace crest {
 
@@ -56,10 +57,10 @@ struct VolumeFile {
   std::optional<Raw> raw;
 };
 
-/// A scalar field on a grid, x fastest. Its values are float32 (doubles are rounded once, on load).
+/// A scalar field on a grid, x fastest.
 struct Volume {
   Grid grid;
-  std::vector<float> values;
+  Voxels values;
   VolumeStatistics statistics;
   ScalarType file_type = ScalarType::float32;
   glm::dmat3 direction{1};  ///< the file's direction cosines, as columns: kept and shown, not applied
@@ -67,10 +68,11 @@ struct Volume {
   VolumeFile file;
   std::string note;  ///< what reading it took, e.g. "first of 3 components"; or empty
 
-  float at(int i, int j, int k) const {
-    return values[std::size_t(i) +
-                  std::size_t(grid.dims.x) * (std::size_t(j) + std::size_t(grid.dims.y) * std::size_t(k))];
+  std::size_t index(int i, int j, int k) const {
+    return std::size_t(i) +
+           std::size_t(grid.dims.x) * (std::size_t(j) + std::size_t(grid.dims.y) * std::size_t(k));
   }
+  float at(int i, int j, int k) const { return values[index(i, j, k)]; }
   bool has_empty_cells() const { return statistics.nan_count + statistics.inf_count > 0; }
 };
 
@@ -78,14 +80,13 @@ struct Volume {
 inline constexpr int histogram_bins = 1024;
 
 /// `values` are those of the grid's points, x fastest.
-VolumeStatistics compute_statistics(const Grid& grid, const std::vector<float>& values,
-                                    int bins = histogram_bins);
+VolumeStatistics compute_statistics(const Grid& grid, const Voxels& values, int bins = histogram_bins);
 
 /// The greatest gradient, in value per world unit, that the trilinear field can have: within a cell each
 /// partial derivative is a mean of the differences along four edges.
 double largest_gradient(const Grid& grid, const VolumeStatistics& statistics);
 
 /// Counts of the finite values within `range` (closed), in equal bins: for a histogram zoomed further in.
-std::vector<std::uint64_t> histogram_of(const std::vector<float>& values, ValueRange range, int bins);
+std::vector<std::uint64_t> histogram_of(const Voxels& values, ValueRange range, int bins);
 
 }  // namespace crest

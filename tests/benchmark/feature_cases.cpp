@@ -17,7 +17,7 @@ using VolumePtr = std::shared_ptr<const Volume>;
 /// The same with a point in its middle that has no value.
 VolumePtr with_hole(Volume volume) {
   const glm::ivec3 dims = volume.grid.dims, middle = dims / 2;
-  volume.values[std::size_t(middle.x + dims.x * (middle.y + dims.y * middle.z))] =
+  volume.values.floats()[std::size_t(middle.x + dims.x * (middle.y + dims.y * middle.z))] =
       std::numeric_limits<float>::quiet_NaN();
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return std::make_shared<const Volume>(std::move(volume));

@@ -131,7 +131,7 @@ TEST_F(BadInput, DamagedCompressedDataIsSaid) {
   expect_error(write("a.mha", packed), {"damaged"});
   // MetaIO goes by CompressedDataSize, and drops the rest in silence; real files have wrong ones.
   packed = mha_compressed(int16, endian::little).content;
-  const std::vector<float> whole = load_volume(write("b.mha", packed)).values;
+  const Voxels whole = load_volume(write("b.mha", packed)).values;
   for (const char* line : {"CompressedSize = ", "CompressedDataSize = 5\nX = ", "CompressedDataSize = 9"}) {
     EXPECT_EQ(load_volume(write("b.mha", replaced(packed, "CompressedDataSize = ", line))).values, whole);
   }

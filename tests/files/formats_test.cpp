@@ -113,7 +113,7 @@ TEST_P(EveryFormat, UpperCaseSymlinksAndOddNamesAreRead) {
   const std::string plain = write_sample(sample), extension = sample.name.substr(sample.name.find('.'));
   std::string upper = extension;
   for (char& c : upper) c = char(std::toupper(c));
-  const std::vector<float> expected = load_volume(plain).values;
+  const Voxels expected = load_volume(plain).values;
   for (const std::string& name : {"UPPER" + upper, "what is this?" + extension, "a?b=c&d" + extension}) {
     EXPECT_EQ(load_volume(write(name, sample.content)).values, expected) << name;
   }

@@ -8,7 +8,7 @@ namespace crest::testing {
 inline Scene scene_with_peak(double peak) {
   auto volume = std::make_shared<Volume>();
   volume->grid.dims = {2, 2, 2};
-  volume->values = {0, 1, 0, 1, 0, 1, 0, 1};
+  volume->values = std::vector<float>{0, 1, 0, 1, 0, 1, 0, 1};
   volume->statistics = compute_statistics(volume->grid, volume->values);
   Preset preset;
   for (const auto& [value, opacity] : {std::pair(peak - 0.001, 0.0), {peak, 0.5}, {peak + 0.001, 0.0}}) {

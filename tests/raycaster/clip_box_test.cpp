@@ -17,7 +17,7 @@ std::shared_ptr<const Volume> cropped(const Volume& whole, glm::ivec3 first, glm
                whole.grid.origin + whole.grid.spacing * glm::dvec3(first)};
   for (int k = first.z; k <= last.z; ++k)
     for (int j = first.y; j <= last.y; ++j)
-      for (int i = first.x; i <= last.x; ++i) part.values.push_back(whole.at(i, j, k));
+      for (int i = first.x; i <= last.x; ++i) part.values.floats().push_back(whole.at(i, j, k));
   part.statistics = whole.statistics;
   return std::make_shared<const Volume>(std::move(part));
 }
@@ -35,7 +35,8 @@ TEST_F(ClipBoxes, IsACrop) {
   holed.grid.origin = {-4, 100, 0.5};
   const auto full = std::make_shared<const Volume>(holed);
   for (const glm::ivec3 hole : {glm::ivec3(8, 6, 10), {3, 9, 14}, {12, 14, 21}})
-    holed.values[std::size_t(hole.x + 24 * (hole.y + 24 * hole.z))] = std::numeric_limits<float>::quiet_NaN();
+    holed.values.floats()[std::size_t(hole.x + 24 * (hole.y + 24 * hole.z))] =
+        std::numeric_limits<float>::quiet_NaN();
   holed.statistics = compute_statistics(holed.grid, holed.values);
   for (const auto& whole : {full, std::make_shared<const Volume>(holed)}) {
     const auto part = cropped(*whole, first, last);

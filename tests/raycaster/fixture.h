@@ -23,7 +23,7 @@ inline std::shared_ptr<const Volume> make_volume(Grid grid,
   for (int k = 0; k < grid.dims.z; ++k)
     for (int j = 0; j < grid.dims.y; ++j)
       for (int i = 0; i < grid.dims.x; ++i)
-        volume.values.push_back(float(formula(grid.origin + grid.spacing * glm::dvec3(i, j, k))));
+        volume.values.floats().push_back(float(formula(grid.origin + grid.spacing * glm::dvec3(i, j, k))));
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return std::make_shared<const Volume>(std::move(volume));
 }

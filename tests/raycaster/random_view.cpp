@@ -38,10 +38,10 @@ std::shared_ptr<const Volume> random_volume(Dice& dice) {
   for (int k = 0; k < grid.dims.z; ++k)
     for (int j = 0; j < grid.dims.y; ++j)
       for (int i = 0; i < grid.dims.x; ++i)
-        volume.values.push_back(field_value(dice, kind, {i, j, k}, waves));
+        volume.values.floats().push_back(field_value(dice, kind, {i, j, k}, waves));
   if (dice.one_in(3))
     for (int holes = 1 + dice.one_of(3); holes > 0; --holes)
-      volume.values[std::size_t(dice.one_of(int(volume.values.size())))] =
+      volume.values.floats()[std::size_t(dice.one_of(int(volume.values.size())))] =
           dice.one_in(2) ? std::numeric_limits<float>::quiet_NaN() : std::numeric_limits<float>::infinity();
   volume.statistics = compute_statistics(grid, volume.values);
   return std::make_shared<const Volume>(std::move(volume));

@@ -32,7 +32,7 @@ class Skipping : public RaycasterTest {
 
 Volume holed_gyroid() {
   Volume volume = make_builtin("gyroid?n=24");
-  for (const std::size_t index : {3000u, 3001u, 8000u, 11111u}) volume.values[index] = NAN;
+  for (const std::size_t index : {3000u, 3001u, 8000u, 11111u}) volume.values.floats()[index] = NAN;
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return volume;
 }

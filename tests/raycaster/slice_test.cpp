@@ -84,7 +84,7 @@ TEST_F(Slices, LinesAreWhereSurfacesMeetThem) {
 
 TEST_F(Slices, EmptyCellsAreBlack) {
   Volume holed = *noise();
-  holed.values[0] = NAN;
+  holed.values.floats()[0] = NAN;
   holed.statistics = compute_statistics(holed.grid, holed.values);
   const Scene scene{std::make_shared<const Volume>(holed), make_tf({point(-2, 1), point(2, 1)}), {}};
   const std::vector<glm::dvec3> pixels = draw(scene, {2, 0.1}, {12, 16});  // two a cell

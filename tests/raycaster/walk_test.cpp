@@ -76,7 +76,7 @@ TEST_F(Walks, FacesAreWhereTheirIndicesSay) {
   for (const glm::dvec3 spacing : {glm::dvec3(1), glm::dvec3(1, 1, 100), glm::dvec3(3, 1, 7)}) {
     Volume volume;  // its values are not looked at
     volume.grid = {glm::ivec3(256), spacing, glm::dvec3(0)};
-    volume.values = {0, 1};
+    volume.values = std::vector<float>{0, 1};
     Scene scene;
     scene.volume = std::make_shared<const Volume>(std::move(volume));
     const Camera camera = along_the_volume(scene.volume->grid);

@@ -108,7 +108,7 @@ TEST_F(ReferenceCache, AnyOtherContentIsAnotherPicture) {
       [&] { camera.fov_y_degrees = 31; },
       [&] {
         auto volume = wave_volume();
-        volume->values[50] = std::nextafter(volume->values[50], 9.0f);
+        volume->values.floats()[50] = std::nextafter(volume->values[50], 9.0f);
         scene.volume = volume;
       },
       [&] {

@@ -16,7 +16,7 @@ std::shared_ptr<const Volume> volume_of(glm::ivec3 dims, Field&& field, glm::dve
   volume->grid = {.dims = dims, .spacing = spacing, .origin = origin};
   for (int k = 0; k < dims.z; ++k)
     for (int j = 0; j < dims.y; ++j)
-      for (int i = 0; i < dims.x; ++i) volume->values.push_back(float(field(i, j, k)));
+      for (int i = 0; i < dims.x; ++i) volume->values.floats().push_back(float(field(i, j, k)));
   volume->statistics = compute_statistics(volume->grid, volume->values);
   return volume;
 }

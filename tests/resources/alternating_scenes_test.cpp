@@ -13,7 +13,7 @@ namespace {
 std::shared_ptr<const Volume> gyroid(bool with_holes) {
   Volume volume = make_builtin("gyroid?n=16");
   if (with_holes)
-    for (const std::size_t index : {300u, 301u, 800u}) volume.values[index] = std::nanf("");
+    for (const std::size_t index : {300u, 301u, 800u}) volume.values.floats()[index] = std::nanf("");
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return std::make_shared<const Volume>(std::move(volume));
 }

@@ -17,7 +17,8 @@ namespace {
 /// All of a scene but its camera, whose numbers need not be the same to the last bit with another C library.
 std::string content_of(const RandomScene& random) {
   const Volume& volume = *random.scene.volume;
-  std::vector<double> numbers(volume.values.begin(), volume.values.end());
+  const std::vector<float> values = volume.values.to_floats();
+  std::vector<double> numbers(values.begin(), values.end());
   const auto add = [&](const glm::dvec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
   for (const glm::dvec3& v : {volume.grid.origin, volume.grid.spacing, glm::dvec3(volume.grid.dims)}) add(v);
   numbers.push_back(random.scene.tf.unit_distance);
@@ -91,7 +92,8 @@ TEST(RandomScenes, AreScenesThatAllModesShow) {
       EXPECT_FALSE(classify(tf, surface_range(random.scene)).surfaces.empty());
       EXPECT_NO_THROW(camera_frame(random.camera));
       if (!random.labels) continue;
-      std::set<float> labels(volume->values.begin(), volume->values.end());
+      const std::vector<float> values = volume->values.to_floats();
+      const std::set<float> labels(values.begin(), values.end());
       EXPECT_EQ(labels, (std::set<float>{0, 1, 2, 3, 4}));
     }
 }

@@ -22,10 +22,10 @@ Volume bump_volume(int n) {
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
         const double x = (i - middle) / middle, y = (j - middle) / middle, z = (k - middle) / middle;
-        volume.values.push_back(float(100 * (1 - (x * x + y * y + z * z) / 3)));
+        volume.values.floats().push_back(float(100 * (1 - (x * x + y * y + z * z) / 3)));
       }
-  volume.values[0] = 0;
-  volume.values[1] = 100;
+  volume.values.floats()[0] = 0;
+  volume.values.floats()[1] = 100;
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return volume;
 }

@@ -50,7 +50,7 @@ TEST_F(Hostile, StatisticsThatAreNoNumbers) {
 }
 
 TEST_F(Hostile, AConstantVolume) {
-  volume.values.assign(volume.values.size(), 7);
+  volume.values.floats().assign(volume.values.size(), 7);
   volume.statistics = compute_statistics(volume.grid, volume.values);
   tf().points = points_of({{7, 0}, {7, 1}});
   frames(5);

@@ -139,7 +139,7 @@ TEST_F(Layers, RefusesWhatItDoesNotRender) {
   EXPECT_NE(why_not_vdls(scene), "");
   scene.rendering.placement = Rendering{}.placement;
   Volume holed = *scene.volume;
-  holed.values[5] = std::numeric_limits<float>::quiet_NaN();
+  holed.values.floats()[5] = std::numeric_limits<float>::quiet_NaN();
   holed.statistics = compute_statistics(holed.grid, holed.values);
   scene.volume = std::make_shared<const Volume>(holed);
   EXPECT_NE(why_not_vdls(scene).find("1 without"), std::string::npos);

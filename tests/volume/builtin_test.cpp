@@ -130,7 +130,8 @@ TEST(Builtin, PlumeSpansItsDecades) {
 TEST(Builtin, VesselsAreThinBrightAndInEmptySpace) {
   for (const int seed : {1, 2, 3, 4, 5}) {
     const Volume volume = make_builtin(fmt::format("vessels?n=128&seed={}", seed));
-    const auto empty = double(std::ranges::count(volume.values, 0.f)) / double(volume.values.size());
+    const auto empty =
+        double(std::ranges::count(volume.values.to_floats(), 0.f)) / double(volume.values.size());
     EXPECT_GT(empty, 0.97);
     EXPECT_LT(empty, 0.995);
     EXPECT_GT(volume.statistics.range.max, 0.95);

@@ -25,7 +25,7 @@ Volume volume_of(const Grid& grid, const std::function<double(glm::dvec3)>& fiel
   for (int k = 0; k < grid.dims.z; ++k)
     for (int j = 0; j < grid.dims.y; ++j)
       for (int i = 0; i < grid.dims.x; ++i)
-        volume.values.push_back(float(field(grid.origin + grid.spacing * glm::dvec3(i, j, k))));
+        volume.values.floats().push_back(float(field(grid.origin + grid.spacing * glm::dvec3(i, j, k))));
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return volume;
 }
@@ -136,7 +136,7 @@ TEST(ByValue, APlateauIsSpaceWithoutGradient) {
 
 TEST(ByValue, CellsWithoutAValueDoNotCount) {
   Volume volume = make_builtin("linear?n=9");
-  volume.values[0] = NAN;
+  volume.values.floats()[0] = NAN;
   volume.statistics = compute_statistics(volume.grid, volume.values);
   EXPECT_NEAR(sum(measured(volume).volume), 8 - std::pow(0.25, 3), 1e-9);
   const Volume nothing = volume_of({{2, 2, 2}, glm::dvec3(1), glm::dvec3(0)}, [](glm::dvec3) { return NAN; });

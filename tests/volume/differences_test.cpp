@@ -21,7 +21,7 @@ Volume random_volume(Random& random) {
   const double holes = random.uniform(-0.2, 0.2), scale = std::pow(10, random.uniform(-30, 30));
   for (std::size_t i = 0; i < volume.grid.point_count(); ++i) {
     const bool hole = random.uniform(0, 1) < holes;
-    volume.values.push_back(hole ? (i % 2 ? NAN : INFINITY) : float(random.uniform(-scale, scale)));
+    volume.values.floats().push_back(hole ? (i % 2 ? NAN : INFINITY) : float(random.uniform(-scale, scale)));
   }
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return volume;
@@ -81,8 +81,8 @@ TEST(Differences, BoundTheTrilinearGradient) {
     Volume volume;
     for (int axis = 0; axis < 3; ++axis) volume.grid.spacing[axis] = random.uniform(0.1, 3);
     for (double& corner : corners) {
-      volume.values.push_back(float(random.uniform(0, 1)));
-      corner = double(volume.values.back());
+      volume.values.floats().push_back(float(random.uniform(0, 1)));
+      corner = double(volume.values.floats().back());
     }
     volume.statistics = compute_statistics(volume.grid, volume.values);
     const auto field = [&](glm::dvec3 p) {

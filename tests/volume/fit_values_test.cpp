@@ -16,7 +16,7 @@ namespace crest::test {
 namespace {
 
 Volume with_values(Volume volume, const std::function<double(double)>& map) {
-  for (float& value : volume.values) value = float(map(double(value)));
+  for (float& value : volume.values.floats()) value = float(map(double(value)));
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return volume;
 }
@@ -41,7 +41,7 @@ TEST(FitValues, NotEveryMapThatKeepsTheSharesIsTheRightOne) {
   // Other places: histograms are the same, and tell nothing; places do
   const Volume volume = make_builtin("noise?n=32");
   Volume turned = volume;
-  std::ranges::reverse(turned.values);
+  std::ranges::reverse(turned.values.floats());
   turned.statistics = compute_statistics(turned.grid, turned.values);
   EXPECT_LT(fit_values(volume, turned).explained, 0.35);
   EXPECT_GT(fit_values(volume, volume).explained, 1 - 1e-9);
@@ -50,7 +50,7 @@ TEST(FitValues, NotEveryMapThatKeepsTheSharesIsTheRightOne) {
 TEST(FitValues, AirAroundOneOfTheTwoChangesNothing) {
   const Volume volume = make_builtin("noise?n=48");
   Volume cropped = with_values(volume, cubic);
-  for (std::size_t i = 0; i < cropped.values.size() / 2; ++i) cropped.values[i] = NAN;
+  for (std::size_t i = 0; i < cropped.values.size() / 2; ++i) cropped.values.floats()[i] = NAN;
   cropped.statistics = compute_statistics(cropped.grid, cropped.values);
   const ValueFit fit = fit_values(volume, cropped);
   for (double v = -1.5; v < 1.5; v += 0.01) EXPECT_NEAR(fitted_value(fit, v), cubic(v), 4 * bound(fit, v));
@@ -73,8 +73,8 @@ TEST(FitValues, NoiseInTheOtherVolumeIsAveragedOut) {
 TEST(FitValues, IsTheLeastOfAllMonotoneMaps) {
   // By brute force over maps of three values to a grid of numbers
   Volume a = make_builtin("linear?n=2"), b = a;
-  a.values = {0, 0, 1, 1, 2, 2, 2, 2};
-  b.values = {1, 2, 5, 7, 3, 4, 4, 3};
+  a.values = std::vector<float>{0, 0, 1, 1, 2, 2, 2, 2};
+  b.values = std::vector<float>{1, 2, 5, 7, 3, 4, 4, 3};
   for (Volume* volume : {&a, &b}) volume->statistics = compute_statistics(volume->grid, volume->values);
   const auto error = [&](const std::function<double(int)>& map) {
     double sum = 0;

@@ -21,7 +21,7 @@ Volume volume_of(const std::function<double(glm::ivec3)>& value) {
   volume.grid = {{7, 6, 8}, {1, 0.5, 1.5}, {0, 0, 0}};
   for (int k = 0; k < 8; ++k)
     for (int j = 0; j < 6; ++j)
-      for (int i = 0; i < 7; ++i) volume.values.push_back(float(value({i, j, k})));
+      for (int i = 0; i < 7; ++i) volume.values.floats().push_back(float(value({i, j, k})));
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return volume;
 }

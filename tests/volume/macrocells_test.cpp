@@ -12,7 +12,7 @@ Volume random_volume(glm::ivec3 dims, std::mt19937& random) {
   Volume volume;
   volume.grid.dims = dims;
   for (std::size_t i = 0; i < volume.grid.point_count(); ++i)
-    volume.values.push_back(std::uniform_real_distribution<float>(-1, 1)(random));
+    volume.values.floats().push_back(std::uniform_real_distribution<float>(-1, 1)(random));
   return volume;
 }
 
@@ -60,7 +60,7 @@ TEST(Macrocells, BoundTheFieldOfEveryFilter) {
 TEST(Macrocells, KnowTheirOwnPointsDeviation) {
   std::mt19937 random(3);
   Volume volume = random_volume({9, 5, 5}, random);
-  volume.values[0] = NAN;
+  volume.values.floats()[0] = NAN;
   const Macrocells macrocells = build_macrocells(volume, {}, 4);
   ASSERT_EQ(macrocells.count(), 2u);
   for (int cell = 0; cell < 2; ++cell) {
@@ -85,10 +85,10 @@ TEST(Macrocells, KnowTheirOwnPointsDeviation) {
 TEST(Macrocells, WithoutAValueAreEmpty) {
   Volume volume;
   volume.grid.dims = {9, 5, 5};
-  volume.values.assign(volume.grid.point_count(), 1.0f);
+  volume.values.floats().assign(volume.grid.point_count(), 1.0f);
   for (int k = 0; k < 5; ++k)
     for (int j = 0; j < 5; ++j)
-      for (int i = 4; i < 9; ++i) volume.values[std::size_t(i + 9 * (j + 5 * k))] = INFINITY;
+      for (int i = 4; i < 9; ++i) volume.values.floats()[std::size_t(i + 9 * (j + 5 * k))] = INFINITY;
   const Macrocells macrocells = build_macrocells(volume, {}, 4);
   EXPECT_LE(macrocells.min[0], macrocells.max[0]);
   EXPECT_GT(macrocells.min[1], macrocells.max[1]);

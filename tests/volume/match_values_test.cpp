@@ -14,7 +14,7 @@ namespace crest::test {
 namespace {
 
 Volume mapped(Volume volume, const std::function<double(double)>& map) {
-  for (float& value : volume.values) value = float(map(double(value)));
+  for (float& value : volume.values.floats()) value = float(map(double(value)));
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return volume;
 }

@@ -32,7 +32,7 @@ TEST(Probe, AtPointsAndBeyondTheBox) {
 
 TEST(Probe, ThereIsNoneBesideAPointWithoutOne) {
   Volume volume = make_builtin("linear?n=9");
-  volume.values[0] = NAN;
+  volume.values.floats()[0] = NAN;
   EXPECT_FALSE(value_at(volume, {}, {0.1, 0.1, 0.1}));
   EXPECT_TRUE(value_at(volume, {}, {0.15, 0.1, 0.1}));
   EXPECT_FALSE(value_at(volume, {Filter::bspline}, {0.15, 0.1, 0.1}));

@@ -81,7 +81,8 @@ TEST(Statistics, HistogramOfARangeCountsItClosed) {
   std::iota(values.begin(), values.end(), 0.f);
   EXPECT_EQ(histogram_of(values, {100, 200}, 4), (std::vector<std::uint64_t>{25, 25, 25, 26}));
   EXPECT_EQ(histogram_of(values, {2000, 3000}, 2), (std::vector<std::uint64_t>{0, 0}));
-  EXPECT_EQ(histogram_of({-3e38f, 3e38f}, {-3.1e38, 3.1e38}, 2), (std::vector<std::uint64_t>{1, 1}));
+  EXPECT_EQ(histogram_of(std::vector<float>{-3e38f, 3e38f}, {-3.1e38, 3.1e38}, 2),
+            (std::vector<std::uint64_t>{1, 1}));
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ Scene cropped(const Scene& scene) {
   part.name = whole.name;
   for (int k = first.z; k <= last.z; ++k)
     for (int j = first.y; j <= last.y; ++j)
-      for (int i = first.x; i <= last.x; ++i) part.values.push_back(whole.at(i, j, k));
+      for (int i = first.x; i <= last.x; ++i) part.values.floats().push_back(whole.at(i, j, k));
   part.statistics = compute_statistics(part.grid, part.values);
   Scene result{std::make_shared<const Volume>(std::move(part)), scene.tf, scene.rendering};
   result.rendering.clip_box.reset();

@@ -28,10 +28,12 @@ std::shared_ptr<const Volume> volume_of(std::string_view name, const Grid& grid,
   Volume volume;
   volume.name = name;
   volume.grid = grid;
-  volume.values.reserve(grid.point_count());
+  std::vector<float> values;
+  values.reserve(grid.point_count());
   for (int k = 0; k < grid.dims.z; ++k)
     for (int j = 0; j < grid.dims.y; ++j)
-      for (int i = 0; i < grid.dims.x; ++i) volume.values.push_back(float(formula(place_of(grid, i, j, k))));
+      for (int i = 0; i < grid.dims.x; ++i) values.push_back(float(formula(place_of(grid, i, j, k))));
+  volume.values = std::move(values);
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return std::make_shared<const Volume>(std::move(volume));
 }

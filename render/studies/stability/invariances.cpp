@@ -60,7 +60,7 @@ View with_axes(const View& view, std::array<int, 3> from, std::array<bool, 3> ba
         glm::ivec3 source;
         for (int a = 0; a < 3; ++a)
           source[from[std::size_t(a)]] = backwards[std::size_t(a)] ? dims[a] - 1 - index[a] : index[a];
-        volume.values[next++] = old.at(source.x, source.y, source.z);
+        volume.values.floats()[next++] = old.at(source.x, source.y, source.z);
       }
   const glm::dvec3 middle = volume.grid.origin + 0.5 * volume.grid.box_size();
   const auto placed = [&](glm::dvec3 v, glm::dvec3 centre) {

@@ -76,7 +76,7 @@ Camera along_z(const Grid& grid, double extent) {
 
 VolumePtr gyroid_in_levels(int n) {
   Volume volume = make_builtin("gyroid?n=" + std::to_string(n));
-  for (float& value : volume.values) value = std::round(value * 64) / 64;
+  for (float& value : volume.values.floats()) value = std::round(value * 64) / 64;
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return std::make_shared<const Volume>(std::move(volume));
 }

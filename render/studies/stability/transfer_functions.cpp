@@ -274,8 +274,9 @@ std::vector<Row> step_at_a_label(Lab& lab) {
       make_tf({point(1, 0), point(2, 0), point(2, opacity), point(3, opacity)}, unit_distance);
   const VolumePtr volume = make_volume(cube(9), [](glm::dvec3) { return 2; });
   Volume labels = *volume;
-  labels.values.front() = 1;  // so that the range is that of the labels; the corner is out of the picture
-  labels.values.back() = 3;
+  labels.values.floats().front() =
+      1;  // so that the range is that of the labels; the corner is out of the picture
+  labels.values.floats().back() = 3;
   labels.statistics = compute_statistics(labels.grid, labels.values);
   const auto shared = std::make_shared<const Volume>(std::move(labels));
   Worst worst;

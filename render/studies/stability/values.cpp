@@ -34,7 +34,8 @@ Change scaled(const char* name, double scale) {
 VolumePtr gyroid_in_sixteen_steps() {
   Volume volume = *gyroid_in_levels();
   const ValueRange range = volume.statistics.range;
-  for (float& value : volume.values) value = float(std::round(16 * (value - range.min) / range.width()) / 16);
+  for (float& value : volume.values.floats())
+    value = float(std::round(16 * (value - range.min) / range.width()) / 16);
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return std::make_shared<const Volume>(std::move(volume));
 }
@@ -94,10 +95,10 @@ std::vector<Row> signed_values(Lab& lab) {
   const VolumePtr gyroid = gyroid_in_levels();
   const auto read = [&](ScalarType type, int offset) {
     std::vector<std::uint16_t> stored;
-    for (const float value : gyroid->values)
+    for (const float value : gyroid->values.to_floats())
       stored.push_back(std::uint16_t(std::lround(64 * value) * 100 - 2000 + offset));
     Volume volume = *gyroid;
-    convert_to_float(std::as_bytes(std::span(stored)), type, 1, volume.values);
+    convert_to_float(std::as_bytes(std::span(stored)), type, 1, volume.values.floats());
     volume.file_type = type;
     volume.statistics = compute_statistics(volume.grid, volume.values);
     return std::make_shared<const Volume>(std::move(volume));
@@ -176,7 +177,7 @@ std::vector<Row> voxels_without_a_value(Lab& lab) {
 
   Volume holed = *gyroid_in_levels();
   Random random(3);
-  for (float& value : holed.values) {
+  for (float& value : holed.values.floats()) {
     const double chance = random.uniform(0, 1);
     if (chance < 0.02) value = float(chance < 0.01 ? nan : chance < 0.015 ? inf : -inf);
   }

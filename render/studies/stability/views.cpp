@@ -85,7 +85,7 @@ std::vector<Row> rows_of_changes(Lab& lab, const std::string& name, const std::f
 View with_values(const View& view, double scale, double shift) {
   View changed = view;
   Volume volume = *view.scene.volume;
-  for (float& value : volume.values) value = float(scale * double(value) + shift);
+  for (float& value : volume.values.floats()) value = float(scale * double(value) + shift);
   volume.statistics = compute_statistics(volume.grid, volume.values);
   changed.scene.volume = std::make_shared<const Volume>(std::move(volume));
   auto& points = changed.scene.tf.points;

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace crest {
+
+/// What stored values are multiplied by, and what is added.
+struct LinearMap {
+  double slope = 1, intercept = 0;
+  bool operator==(const LinearMap&) const = default;
+};
+
+/// The values of a grid's points, each a float32, in no more bytes than their file has: integers of 8 and 16
+/// bits stay as they were stored, and are mapped when they are read. The mapped value is rounded once.
+class Voxels {
+ public:
+  using Stored = std::variant<std::vector<float>, std::vector<std::uint8_t>, std::vector<std::int8_t>,
+                              std::vector<std::uint16_t>, std::vector<std::int16_t>>;
+
+  Voxels() = default;
+  Voxels(std::vector<float> values) : stored_(std::move(values)) {}
+  /// Of floats the map must be the identity.
+  Voxels(Stored stored, LinearMap map);
+
+  std::size_t size() const;
+  bool empty() const { return size() == 0; }
+  std::size_t byte_count() const;
+  float operator[](std::size_t index) const {
+    return std::visit([&](const auto& stored) { return value_of(stored[index]); }, stored_);
+  }
+  /// The values from `first` on, to be read before the next call with this `room`.
+  std::span<const float> part(std::size_t first, std::size_t count, std::vector<float>& room) const;
+
+  const Stored& stored() const { return stored_; }
+  LinearMap map() const { return map_; }
+  const void* data() const;  ///< of what is stored
+  bool are_floats() const { return std::holds_alternative<std::vector<float>>(stored_); }
+  std::vector<float> to_floats() const;
+  /// For those who change them: from now on they are stored so.
+  std::vector<float>& floats();
+
+  bool operator==(const Voxels& other) const;  ///< by value; NaN equals nothing
+
+ private:
+  float value_of(float stored) const { return stored; }
+  template <class Integer>
+  float value_of(Integer stored) const {
+    return is_mapped_ ? float(double(stored) * map_.slope + map_.intercept) : float(stored);
+  }
+
+  Stored stored_;
+  LinearMap map_;
+  bool is_mapped_ = false;
+};
+
+}  // namespace crest
