@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "render/volume/whole_values.h"
+
 namespace crest {
 
 TransferFunction StoredUnits::stored(TransferFunction tf) const {
@@ -18,11 +20,6 @@ std::vector<Peak> StoredUnits::stored(std::vector<Peak> peaks) const {
   return peaks;
 }
 
-std::vector<float> StoredUnits::stored(std::vector<float> values) const {
-  for (float& value : values) value = float(stored(double(value)));
-  return values;
-}
-
 StoredUnits stored_units(ValueRange field) {
   constexpr int ordinary_exponent = 40;
   StoredUnits units;
@@ -32,6 +29,11 @@ StoredUnits stored_units(ValueRange field) {
   std::frexp(field.width(), &exponent);
   if (std::abs(exponent) > ordinary_exponent) units.scale = std::ldexp(1.0, -exponent);
   return units;
+}
+
+StoredUnits stored_units(const Volume& volume) {
+  if (const auto whole = whole_values(volume)) return {whole->base, 1 / whole->step};
+  return stored_units(volume.statistics.range);
 }
 
 }  // namespace crest

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "presets/peaks.h"
+#include "render/volume/volume.h"
 
 namespace crest {
 
@@ -18,11 +19,14 @@ struct StoredUnits {
   ValueRange stored(ValueRange range) const { return {stored(range.min), stored(range.max)}; }
   TransferFunction stored(TransferFunction tf) const;
   std::vector<Peak> stored(std::vector<Peak> peaks) const;
-  std::vector<float> stored(std::vector<float> values) const;
+  float stored(float value) const { return float(stored(double(value))); }
 };
 
 /// For a field of this range: its end nearest to zero as the base, if all of the range lies further from zero
 /// than it is wide; a scale other than 1 if the width is beyond 2^-40 to 2^40.
 StoredUnits stored_units(ValueRange field);
+
+/// Of a volume's texture: where its values are whole (volume/whole_values.h), the numbers of their steps.
+StoredUnits stored_units(const Volume& volume);
 
 }  // namespace crest

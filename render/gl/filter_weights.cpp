@@ -10,13 +10,13 @@
 
 namespace crest::gl {
 
-double measure_weight_error() {
+double measure_weight_error(GLenum format) {
   constexpr glm::ivec2 size{4096, 1};
   constexpr double rounding = 0x1p-16;  // of places in the texture; weights of 15 bits would be as good
   const float values[8] = {0, 1, 0, 1, 0, 1, 0, 1};
   const TextureHandle ramp = make_texture(GL_TEXTURE_3D, GL_LINEAR);
-  glTextureStorage3D(ramp.id(), 1, GL_R32F, 2, 2, 2);
-  glTextureSubImage3D(ramp.id(), 0, 0, 0, 0, 2, 2, 2, GL_RED, GL_FLOAT, values);
+  glTextureStorage3D(ramp.id(), 1, format, 2, 2, 2);
+  glTextureSubImage3D(ramp.id(), 0, 0, 0, 0, 2, 2, 2, GL_RED, GL_FLOAT, values);  // converted to the format
   const ProgramHandle program = build_fullscreen_program("filter_weights.frag", {});
   const RenderTarget target(size, false);
   begin_whole_target(target.framebuffer(), size);

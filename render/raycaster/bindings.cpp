@@ -133,14 +133,9 @@ void bind_scene(KeyedCache& held, const Scene& scene, const Classification& clas
                 GLuint program) {
   const Features& features = need.features;
   const Volume& volume = *scene.volume;
-  const Binding b{held,
-                  scene,
-                  classification,
-                  need,
-                  program,
-                  stored_units(volume.statistics.range),
-                  volume.grid.smallest_spacing()};
-  bind_texture(b, volume_unit, "volume", volume_texture(held, scene.volume));
+  const Binding b{
+      held, scene, classification, need, program, stored_units(volume), volume.grid.smallest_spacing()};
+  bind_volume(held, scene.volume, volume_unit, program);
   if (features.empty_cells)
     bind_texture(b, empty_cells_unit, "empty_cells",
                  empty_cells_texture(held, scene.volume, support_radius(scene.rendering)));

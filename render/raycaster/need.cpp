@@ -13,9 +13,11 @@
 #include "render/raycaster/scene_facts.h"
 #include "render/raycaster/sharpness.h"
 #include "render/resources/shader_tf.h"
+#include "render/resources/volume_texture.h"
 #include "render/scene/view.h"
 #include "render/shader_inputs/blend_mode.h"
 #include "render/volume/macrocells.h"
+#include "render/volume/whole_values.h"
 
 namespace crest {
 namespace {
@@ -239,6 +241,8 @@ void Decision::decide_rays(bool statistics) {
          !shows_values(need_.needed.blend_mode));
   decide(&Features::filter_gradient, if_sampled(s_.why_no_filter_gradient(need_.features)),
          need_.features.shading && !need_.needed.shading);
+  decide(&Features::whole_values, if_sampled(s_.has_whole_values ? "" : "the volume's values are floats"),
+         false);
   decide(&Features::empty_cells, if_sampled(s_.why_no_empty_cells()));
   decide(&Features::early_termination, if_sampled(s_.why_no_early_termination(need_.needed)));
   need_.intervals = intervals_of(s_, need_.features);
@@ -314,6 +318,7 @@ Need find_need(const Volume& volume, const Classification& classification, const
   const double spacing = volume.grid.smallest_spacing();
   SceneFacts facts{volume.grid,
                    volume.statistics,
+                   whole_values(volume).has_value(),
                    classification,
                    rendering,
                    camera,
@@ -334,7 +339,7 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
   if (!f.dvr && !f.peaks) return data;
   const glm::ivec3 dims = volume.grid.dims;
   add("volume", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
-      volume.grid.point_count() * sizeof(float));
+      volume.grid.point_count() * texture_bytes_per_point(volume));
   if (f.empty_cells) {
     const glm::ivec3 cells = dims - 1;
     add("empty_cells", fmt::format("{}x{}x{} cells", cells.x, cells.y, cells.z),

@@ -9,6 +9,7 @@
 #include "render/raycaster/drawn_parts.h"
 #include "render/resources/classification.h"
 #include "render/resources/macrocell_texture.h"
+#include "render/resources/volume_texture.h"
 #include "render/scene/camera.h"
 #include "render/shader_inputs/blend_mode.h"
 #include "render/shader_inputs/view_uniforms.h"
@@ -84,6 +85,7 @@ Features Raycaster::features(const Scene& scene, bool statistics) {
 
 void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
                      const Need& needs, const std::function<void(int pass)>& after_pass) {
+  if (!needs.is_empty()) volume_texture(resources_->held, scene.volume);  // it may draw to be made
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
   glViewport(0, 0, target.size().x, target.size().y);
   glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);

@@ -18,6 +18,7 @@ namespace crest {
 struct SceneFacts {
   const Grid& grid;
   const VolumeStatistics& statistics;
+  bool has_whole_values;  ///< volume/whole_values.h
   const Classification& classification;
   const Rendering& rendering;
   const Camera& camera;

@@ -33,6 +33,7 @@ const std::vector<FeatureName>& all_features() {
       {&Features::adaptive, "adaptive", "ADAPTIVE"},
       {&Features::skipping, "skipping", "SKIPPING"},
       {&Features::empty_cells, "empty_cells", "EMPTY_CELLS"},
+      {&Features::whole_values, "whole_values", "WHOLE_VALUES"},
       {&Features::long_rays, "long_rays", "LONG_RAYS"},
       {&Features::statistics, "statistics", "STATISTICS"},
   };

@@ -31,6 +31,7 @@ struct Features {
   bool adaptive = false;      ///< steps are joined where the field is smooth
   bool skipping = false;      ///< of macrocells in which nothing shows
   bool empty_cells = false;   ///< voxels without a value are in view
+  bool whole_values = false;  ///< the volume's values are whole numbers of steps, in 16 bits
   bool long_rays = false;     ///< drawn in several passes
   bool statistics = false;
   Placement placement = Placement::entry_exit_corner;

@@ -9,7 +9,7 @@ struct CellCorners {
 };
 
 float point_value(CellWalk walk, ivec3 corner) {
-  return texelFetch(volume, walk.first + walk.step * (walk.cell + corner), 0).r;
+  return value_at_point(walk.first + walk.step * (walk.cell + corner));
 }
 
 CellCorners corners_of(CellWalk walk) {
@@ -26,8 +26,8 @@ CellCorners next_corners(CellWalk walk, CellCorners c) {
   bool x = walk.entered.x, y = walk.entered.y;
   ivec3 u = walk.step * (x ? ivec3(0, 1, 0) : ivec3(1, 0, 0)), v = walk.step * (x || y ? ivec3(0, 0, 1) : ivec3(0, 1, 0));
   ivec3 point = walk.first + walk.step * (walk.cell + ivec3(walk.entered));
-  vec4 far = vec4(texelFetch(volume, point, 0).r, texelFetch(volume, point + u, 0).r,
-                  texelFetch(volume, point + v, 0).r, texelFetch(volume, point + u + v, 0).r);
+  vec4 far = vec4(value_at_point(point), value_at_point(point + u),
+                  value_at_point(point + v), value_at_point(point + u + v));
   CellCorners along_x = CellCorners(c.high, far);
   CellCorners along_y = CellCorners(vec4(c.low.y, far.x, c.low.w, far.z), vec4(c.high.y, far.y, c.high.w, far.w));
   CellCorners along_z = CellCorners(vec4(c.low.zw, far.xz), vec4(c.high.zw, far.yw));

@@ -7,7 +7,24 @@
 // Textures have one level, which is named wherever they are filtered: lanes that do not all take a branch know no
 // derivatives.
 uniform sampler3D volume;
+uniform float texel_scale;
 uniform vec3 texture_scale, texture_offset;  // from a position in the box to the texture: point i is at (i+0.5)/n
+
+#if WHOLE_VALUES
+// Texels of 16 bits are shares of texel_scale, and a little off the whole numbers that they stand for. These are met
+// exactly at points, and between points that are equal.
+float value_at_point(ivec3 point) { return round(texel_scale * texelFetch(volume, point, 0).r); }
+
+float value_between(vec3 place) {
+  const float rounding = 2.5e-7;  // of a share, and of the product: 2^-24 and 2^-23
+  float value = texel_scale * textureLod(volume, place, 0.0).r, whole = round(value);
+  return abs(value - whole) <= rounding * whole ? whole : value;
+}
+#else
+float value_at_point(ivec3 point) { return texelFetch(volume, point, 0).r; }
+
+float value_between(vec3 place) { return textureLod(volume, place, 0.0).r; }
+#endif
 
 #if FILTER_LINEAR
 #include "filter_linear.glsl"

@@ -24,8 +24,8 @@ Support support_at(vec3 position, out vec3 u) {
 float weighted(vec4 values, vec4 weights) { return values.y + dot(values - values.y, weights); }
 
 vec4 bc_row(ivec4 x, int y, int z) {
-  return vec4(texelFetch(volume, ivec3(x.x, y, z), 0).r, texelFetch(volume, ivec3(x.y, y, z), 0).r,
-              texelFetch(volume, ivec3(x.z, y, z), 0).r, texelFetch(volume, ivec3(x.w, y, z), 0).r);
+  return vec4(value_at_point(ivec3(x.x, y, z)), value_at_point(ivec3(x.y, y, z)),
+              value_at_point(ivec3(x.z, y, z)), value_at_point(ivec3(x.w, y, z)));
 }
 
 float bc_slice(Support s, int z) {

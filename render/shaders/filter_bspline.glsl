@@ -14,7 +14,7 @@ Pairs pairs_around(vec3 base, vec3 first, vec3 second) {
   return Pairs((base - 0.5 + first) / size, (base + 1.5 + second) / size);
 }
 
-float value_at(float x, float y, float z) { return textureLod(volume, vec3(x, y, z), 0.0).r; }
+float value_at(float x, float y, float z) { return value_between(vec3(x, y, z)); }
 
 void fetch(Pairs p, out vec4 low, out vec4 high) {
   vec3 a = p.first, b = p.second;

@@ -10,10 +10,10 @@ Corners corners_at(vec3 position, ivec3 last_cell) {
   vec3 place = position / cell_size;
   ivec3 a = clamp(ivec3(floor(place)), ivec3(0), last_cell), b = min(a + 1, textureSize(volume, 0) - 1);
   Corners corners;
-  corners.low = vec4(texelFetch(volume, a, 0).r, texelFetch(volume, ivec3(a.x, b.y, a.z), 0).r,
-                     texelFetch(volume, ivec3(a.xy, b.z), 0).r, texelFetch(volume, ivec3(a.x, b.yz), 0).r);
-  corners.high = vec4(texelFetch(volume, ivec3(b.x, a.yz), 0).r, texelFetch(volume, ivec3(b.xy, a.z), 0).r,
-                      texelFetch(volume, ivec3(b.x, a.y, b.z), 0).r, texelFetch(volume, b, 0).r);
+  corners.low = vec4(value_at_point(a), value_at_point(ivec3(a.x, b.y, a.z)),
+                     value_at_point(ivec3(a.xy, b.z)), value_at_point(ivec3(a.x, b.yz)));
+  corners.high = vec4(value_at_point(ivec3(b.x, a.yz)), value_at_point(ivec3(b.xy, a.z)),
+                      value_at_point(ivec3(b.x, a.y, b.z)), value_at_point(b));
   corners.place = max(place - vec3(a), vec3(0.0));
   return corners;
 }

@@ -9,6 +9,7 @@
 #include "render/resources/volume_texture.h"
 #include "render/scene/camera.h"
 #include "render/shader_inputs/view_uniforms.h"
+#include "render/volume/whole_values.h"
 
 namespace crest {
 namespace {
@@ -26,12 +27,13 @@ Features features_of(const Scene& scene) {
   features.root_filter = exact(root_filter(scene.rendering).kind);
   features.own_root_filter = features.filter != features.root_filter;
   features.empty_cells = scene.volume->has_empty_cells();
+  features.whole_values = whole_values(*scene.volume).has_value();
   return features;
 }
 
 void bind(KeyedCache& held, GLuint program, const Scene& scene, const Features& features) {
   const Volume& volume = *scene.volume;
-  const StoredUnits units = stored_units(volume.statistics.range);
+  const StoredUnits units = stored_units(volume);
   const ValueRange range = with_width(units.stored(volume.statistics.range));
   const Classification& classification = classification_of(held, scene);
   const std::vector<Peak> surfaces = units.stored(classification.surfaces);
@@ -39,7 +41,7 @@ void bind(KeyedCache& held, GLuint program, const Scene& scene, const Features& 
     glBindTextureUnit(unit, texture);
     set(program, sampler, int(unit));
   };
-  bind_texture(volume_unit, "volume", volume_texture(held, scene.volume));
+  bind_volume(held, scene.volume, volume_unit, program);
   if (features.empty_cells)
     bind_texture(empty_cells_unit, "empty_cells",
                  empty_cells_texture(held, scene.volume, support_radius(scene.rendering)));

@@ -21,8 +21,9 @@ std::vector<std::string> setup_defines(const Rendering& rendering, bool counts) 
   return defines;
 }
 
-std::vector<std::string> layers_defines(const Rendering& rendering) {
+std::vector<std::string> layers_defines(const Rendering& rendering, bool has_whole_values) {
   Features features;
+  features.whole_values = has_whole_values;
   features.dvr = true;
   features.shading = is_shaded(rendering);
   features.blend_mode = rendering.blend_mode;

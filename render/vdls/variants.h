@@ -13,7 +13,7 @@ bool is_shaded(const Rendering& rendering);
 /// The defines of vdls_setup.frag, as "NAME value"; `counts`: for a target that counts.
 std::vector<std::string> setup_defines(const Rendering& rendering, bool counts);
 
-/// And those of vdls_layers.frag.
-std::vector<std::string> layers_defines(const Rendering& rendering);
+/// And those of vdls_layers.frag, for a volume with whole values or another (volume/whole_values.h).
+std::vector<std::string> layers_defines(const Rendering& rendering, bool has_whole_values);
 
 }  // namespace crest

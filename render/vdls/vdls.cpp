@@ -21,6 +21,7 @@
 #include "render/vdls/layer_textures.h"
 #include "render/vdls/proxy.h"
 #include "render/vdls/variants.h"
+#include "render/volume/whole_values.h"
 
 namespace crest {
 namespace {
@@ -75,7 +76,7 @@ struct Vdls::Prepared {
 Vdls::Prepared Vdls::prepare(const Scene& scene) {
   const Volume& volume = *scene.volume;
   const ValueRange field = volume.statistics.range;
-  const StoredUnits units = stored_units(field);
+  const StoredUnits units = stored_units(volume);
   const double spacing = volume.grid.smallest_spacing();
   const TfTableSize size =
       tf_table_size(scene.tf, field, spacing, glm::length(volume.grid.box_size()) / spacing);
@@ -177,8 +178,7 @@ Proxy Vdls::make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size,
 
 void Vdls::bind_volume(const Prepared& p, GLuint program) {
   KeyedCache& held = resources_->held;
-  glBindTextureUnit(volume_unit, volume_texture(held, p.scene.volume));
-  set(program, "volume", int(volume_unit));
+  crest::bind_volume(held, p.scene.volume, volume_unit, program);
   bind_tf_texture(program, p.tf, tf_unit);
   bind_blend_mode(program, p.scene, p.units);
   if (!is_shaded(p.scene.rendering)) return;
@@ -194,7 +194,8 @@ void Vdls::draw_layers(const Prepared& p, const Camera& camera, glm::ivec2 size,
       make_buffer(proxy.corners.size() * sizeof proxy.corners[0], proxy.corners.data());
   glVertexArrayVertexBuffer(vertex_array_.id(), 0, corners.id(), 0, sizeof proxy.corners[0]);
   const GLuint program =
-      resources_->programs.program("vdls_proxy.vert", "vdls_layers.frag", layers_defines(scene.rendering));
+      resources_->programs.program("vdls_proxy.vert", "vdls_layers.frag",
+                                   layers_defines(scene.rendering, whole_values(p.volume).has_value()));
   set_view(program, scene, camera, size);
   set(program, "fixed_unit", fixed_unit(p.volume.grid));
   set(program, "fraction_bits", fraction_bits(scene));
@@ -229,6 +230,7 @@ void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& targ
   if (const std::string why = why_not_vdls(scene); !why.empty()) throw Error(why);
   resources_->held.begin_round();
   const Prepared prepared = prepare(scene);
+  volume_texture(resources_->held, scene.volume);  // it may draw to be made
   layers_.attach(target);
   glViewport(0, 0, target.size().x, target.size().y);
   glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
@@ -274,7 +276,7 @@ PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
 
   const glm::ivec3 dims = prepared.volume.grid.dims;
   need.gpu_data.push_back({"volume", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
-                           prepared.volume.grid.point_count() * sizeof(float)});
+                           prepared.volume.grid.point_count() * texture_bytes_per_point(prepared.volume)});
   if (shading && o.gradient_volume)
     need.gpu_data.push_back({"gradients", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
                              prepared.volume.grid.point_count() * 4 * sizeof(GLshort)});

@@ -17,13 +17,13 @@ constexpr double eight_bits = 0x1p-9;
 
 ChangedShaders coarse_texture_unit() {
   return {"filter_linear.glsl",
-          "float linear_field(vec3 position) { return textureLod(volume, position * texture_scale + "
-          "texture_offset, 0.0).r; }",
+          "float linear_field(vec3 position) { return value_between(position * texture_scale + "
+          "texture_offset); }",
           "float linear_field(vec3 position) {\n"
           "  vec3 points = vec3(textureSize(volume, 0));\n"
           "  vec3 place = (position * texture_scale + texture_offset) * points - 0.5, low = floor(place);\n"
           "  vec3 weight = round((place - low) * 256.0) / 256.0;\n"
-          "  return textureLod(volume, (low + weight + 0.5) / points, 0.0).r;\n"
+          "  return value_between((low + weight + 0.5) / points);\n"
           "}"};
 }
 

@@ -18,7 +18,7 @@ TEST(StoredUnits, LoseNoDigit) {
     const StoredUnits units = stored_units(range);
     for (int i = 0; i <= 1000; ++i) {
       const float value = float(std::lerp(range.min, range.max, i / 1000.0));
-      const float stored = units.stored(std::vector{value})[0];
+      const float stored = units.stored(value);
       EXPECT_EQ(double(stored) / units.scale + units.base, double(value)) << range.min << ' ' << i;
       EXPECT_EQ(double(stored), units.stored(double(value)));
     }

@@ -12,7 +12,7 @@ using VdlsVariants = VdlsTest;
 
 struct Variant {
   Rendering rendering;
-  bool counts = false;
+  bool whole_values = false, counts = false;
 };
 
 Parameter<Variant> flag(const char* name, const std::function<void(Variant&, bool)>& set) {
@@ -42,6 +42,7 @@ Pairwise<Variant> variants() {
            {"layers", {layers(1), layers(16)}},
            flag("early test", [](Variant& v, bool in) { v.rendering.vdls.early_test = in; }),
            flag("back to front", [](Variant& v, bool in) { v.rendering.vdls.back_to_front = in; }),
+           flag("whole values", [](Variant& v, bool in) { v.whole_values = in; }),
            flag("counts", [](Variant& v, bool in) { v.counts = in; })},
           {{"illumination", {"maximum", "minimum", "mean"}, "gradient", {"none"}}}};
 }
@@ -52,10 +53,11 @@ TEST_F(VdlsVariants, EveryPairOfOptionsThatGoTogetherCompiles) {
   for (const auto& pair : table.valid_pairs())
     EXPECT_TRUE(std::ranges::any_of(choices, [&](const Choice& c) { return table.holds(c, pair); }));
   for (const Choice& choice : choices) {
-    const auto [rendering, counts] = table.subject(choice);
+    const auto [rendering, whole_values, counts] = table.subject(choice);
     EXPECT_NO_THROW(gl::build_fullscreen_program("vdls_setup.frag", setup_defines(rendering, counts)))
         << table.describe(choice);
-    EXPECT_NO_THROW(gl::build_program("vdls_proxy.vert", "vdls_layers.frag", layers_defines(rendering)))
+    EXPECT_NO_THROW(
+        gl::build_program("vdls_proxy.vert", "vdls_layers.frag", layers_defines(rendering, whole_values)))
         << table.describe(choice);
   }
 }
