@@ -72,7 +72,7 @@ const Classification& Renderer::classification(const Scene& scene) {
 
 void Renderer::hold(const std::shared_ptr<const Volume>& volume) {
   resources_->held.begin_round();
-  volume_texture(resources_->held, volume);
+  hold_volume(*resources_, volume);
 }
 
 }  // namespace crest

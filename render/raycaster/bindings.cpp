@@ -19,6 +19,7 @@ using gl::set;
 
 enum Unit : GLuint {
   volume_unit,
+  brick_table_unit,
   empty_cells_unit,
   macrocells_unit,
   tf_unit,  ///< or what stands for the TF: antiderivatives, pre-integration table
@@ -129,13 +130,16 @@ void set_bc_weights(GLuint program, const Rendering& rendering) {
                             &by_power[0][0]);
 }
 
-void bind_scene(KeyedCache& held, const Scene& scene, const Classification& classification, const Need& need,
-                GLuint program) {
+void bind_scene(Resources& resources, const Scene& scene, const Classification& classification,
+                const Need& need, GLuint program) {
+  KeyedCache& held = resources.held;
   const Features& features = need.features;
   const Volume& volume = *scene.volume;
   const Binding b{
       held, scene, classification, need, program, stored_units(volume), volume.grid.smallest_spacing()};
-  bind_volume(held, scene.volume, volume_unit, program);
+  std::shared_ptr<const BrickSet> bricks;
+  if (features.bricks) bricks = shown_bricks(held, {scene, classification, need.needed, need.tf_blur});
+  bind_volume(resources, scene.volume, bricks, {volume_unit, brick_table_unit}, program);
   if (features.empty_cells)
     bind_texture(b, empty_cells_unit, "empty_cells",
                  empty_cells_texture(held, scene.volume, support_radius(scene.rendering)));

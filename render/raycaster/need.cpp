@@ -13,9 +13,10 @@
 #include "render/raycaster/scene_facts.h"
 #include "render/raycaster/sharpness.h"
 #include "render/resources/shader_tf.h"
-#include "render/resources/volume_texture.h"
+#include "render/resources/texel_format.h"
 #include "render/scene/view.h"
 #include "render/shader_inputs/blend_mode.h"
+#include "render/volume/bricks.h"
 #include "render/volume/macrocells.h"
 #include "render/volume/whole_values.h"
 
@@ -159,8 +160,9 @@ std::string Decision::why_no_skipping() const {
   if (shows_values(need_.needed.blend_mode)) return s_.blend_mode();
   if (!occupied_share_) return "no macrocells are known";
   const double share = occupied_share_(need_.needed, need_.tf_blur);
-  return share <= most_occupied ? ""
-                                : fmt::format("{:.0f} % of the macrocells may show something", 100 * share);
+  return share <= (s_.is_in_bricks ? 1 : most_occupied)
+             ? ""
+             : fmt::format("{:.0f} % of the macrocells may show something", 100 * share);
 }
 
 void Decision::decide_steps() {
@@ -243,6 +245,7 @@ void Decision::decide_rays(bool statistics) {
          need_.features.shading && !need_.needed.shading);
   decide(&Features::whole_values, if_sampled(s_.has_whole_values ? "" : "the volume's values are floats"),
          false);
+  decide(&Features::bricks, if_sampled(s_.is_in_bricks ? "" : "the device holds the whole volume"), false);
   decide(&Features::empty_cells, if_sampled(s_.why_no_empty_cells()));
   decide(&Features::early_termination, if_sampled(s_.why_no_early_termination(need_.needed)));
   need_.intervals = intervals_of(s_, need_.features);
@@ -312,13 +315,14 @@ int Need::passes() const {
 
 Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
                const Camera& camera, glm::ivec2 size, bool statistics, const Forced& forced,
-               const OccupiedShare& occupied_share, const WeightError& weight_error) {
+               const OccupiedShare& occupied_share, const WeightError& weight_error, bool in_bricks) {
   if (const std::string why_not = why_inconsistent(rendering); !why_not.empty()) throw Error(why_not);
   const Box box = rendered_box(volume.grid, rendering.clip_box);
   const double spacing = volume.grid.smallest_spacing();
   SceneFacts facts{volume.grid,
                    volume.statistics,
                    whole_values(volume).has_value(),
+                   in_bricks,
                    classification,
                    rendering,
                    camera,
@@ -339,7 +343,9 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
   if (!f.dvr && !f.peaks) return data;
   const glm::ivec3 dims = volume.grid.dims;
   add("volume", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
-      volume.grid.point_count() * texture_bytes_per_point(volume));
+      need.brick_count > 0
+          ? need.brick_count * brick_points * brick_points * brick_points * texel_bytes(volume)
+          : volume.grid.point_count() * texel_bytes(volume));
   if (f.empty_cells) {
     const glm::ivec3 cells = dims - 1;
     add("empty_cells", fmt::format("{}x{}x{} cells", cells.x, cells.y, cells.z),

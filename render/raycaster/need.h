@@ -24,6 +24,7 @@ struct Need {
   TfTableSize tf_table;         ///< where features.dvr; antiderivatives have as many nodes
   TableBlur tf_blur;            ///< of its table
   int preintegration_bins = 0;  ///< of the pre-integration table on each axis, where there is one
+  std::size_t brick_count = 0;  ///< of the volume, where features.bricks
   int peak_bins = 0;            ///< of the peak table's arrays, where there is one
   /// Intervals of the longest ray, and how many of them a pass renders: some drivers end long loops in
   /// silence. Where features.analytic, one is a smallest spacing long.
@@ -51,11 +52,13 @@ using WeightError = std::function<double()>;
 /// The one function that decides, from the volume's grid and statistics, the TF's peaks, the settings, the
 /// camera with its picture's size, and whether costs are to be counted. It takes O(points of the TF) and some
 /// microseconds, and what `occupied_share` and `weight_error` take, where they are asked; without the former
-/// nothing is skipped, without the latter the texture unit filters in float. Throws Error for a camera that
+/// nothing is skipped, without the latter the texture unit filters in float. `in_bricks`: the device holds of
+/// the volume what shows. Throws Error for a camera that
 /// has no picture, and for settings that do not go together.
 Need find_need(const Volume& volume, const Classification& classification, const Rendering& rendering,
                const Camera& camera, glm::ivec2 size, bool statistics, const Forced& forced = {},
-               const OccupiedShare& occupied_share = {}, const WeightError& weight_error = {});
+               const OccupiedShare& occupied_share = {}, const WeightError& weight_error = {},
+               bool in_bricks = false);
 
 /// What a device holds for it.
 std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Classification& classification);

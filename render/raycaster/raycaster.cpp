@@ -75,8 +75,11 @@ Need Raycaster::find_need(const Scene& scene, const Camera& camera, glm::ivec2 s
     if (!resources_->weight_error) resources_->weight_error = gl::measure_weight_error();
     return *resources_->weight_error;
   };
-  return crest::find_need(*scene.volume, classification, scene.rendering, camera, size, statistics, forced_,
-                          share, weight_error);
+  Need need = crest::find_need(*scene.volume, classification, scene.rendering, camera, size, statistics,
+                               forced_, share, weight_error, is_in_bricks(*resources_, scene.volume));
+  if (need.features.bricks)
+    need.brick_count = size_of(*shown_bricks(held, {scene, classification, need.needed, need.tf_blur}));
+  return need;
 }
 
 Features Raycaster::features(const Scene& scene, bool statistics) {
@@ -85,7 +88,7 @@ Features Raycaster::features(const Scene& scene, bool statistics) {
 
 void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
                      const Need& needs, const std::function<void(int pass)>& after_pass) {
-  if (!needs.is_empty()) volume_texture(resources_->held, scene.volume);  // it may draw to be made
+  if (!needs.is_empty()) hold_volume(*resources_, scene.volume);  // which may draw
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
   glViewport(0, 0, target.size().x, target.size().y);
   glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
@@ -113,7 +116,7 @@ void Raycaster::draw_passes(const Scene& scene, const Camera& camera, const gl::
                             Tile tile, const Need& needs, const std::function<void(int pass)>& after_pass) {
   const GLuint id = resources_->programs.program("fullscreen.vert", fragment_shader(needs.features),
                                                  shader_defines(needs.features));
-  bind_scene(resources_->held, scene, classification_of(resources_->held, scene), needs, id);
+  bind_scene(*resources_, scene, classification_of(resources_->held, scene), needs, id);
   set_view(id, scene, camera, target.size());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);

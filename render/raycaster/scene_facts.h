@@ -19,6 +19,7 @@ struct SceneFacts {
   const Grid& grid;
   const VolumeStatistics& statistics;
   bool has_whole_values;  ///< volume/whole_values.h
+  bool is_in_bricks;      ///< on the device (resources/volume_texture.h)
   const Classification& classification;
   const Rendering& rendering;
   const Camera& camera;

@@ -25,7 +25,7 @@ void draw_traces(Resources& resources, const Scene& scene, const Camera& camera,
   std::vector<std::string> defines = shader_defines(need.features);
   defines.push_back("TRACE");
   const GLuint id = resources.programs.program("fullscreen.vert", fragment_shader(need.features), defines);
-  bind_scene(resources.held, scene, classification_of(resources.held, scene), need, id);
+  bind_scene(resources, scene, classification_of(resources.held, scene), need, id);
   set_view(id, scene, camera, size);
   set(id, "traced_pixel", glm::vec2(pixel) + 0.5F);
   set(id, "trace_width", target.size().x);
@@ -42,6 +42,9 @@ std::vector<TracedStep> trace_ray(Raycaster& raycaster, Scene scene, const Camer
   scene.rendering.skipping = false;
   Need need = raycaster.need(scene, camera, size, true);
   if (need.is_empty()) return {};
+  if (need.features.bricks)
+    throw Error(
+        "a ray cannot be told step by step in a volume of which the graphics device holds only what shows");
   if (need.intervals > most_traced_steps)
     throw Error(fmt::format("up to {} steps along a ray are too many to be told one by one (at most {})",
                             need.intervals, most_traced_steps));

@@ -9,6 +9,8 @@
 namespace crest {
 namespace {
 
+using SharedOccupancy = std::shared_ptr<const Occupancy>;
+
 struct MacrocellsKey : VolumeKey {
   MacrocellsKey(const std::shared_ptr<const Volume>& volume, const FieldFilter& f)
       : VolumeKey(volume), filter(f) {}
@@ -44,6 +46,13 @@ struct CellsKey : VolumeKey {
   }
 };
 
+struct BricksKey : CellsKey {
+  BricksKey(const std::shared_ptr<const Volume>& volume, SharedOccupancy shown, int points_beyond)
+      : CellsKey(volume, std::move(shown)), reach(points_beyond) {}
+  int reach;
+  bool operator==(const BricksKey&) const = default;
+};
+
 struct TexelsKey : CellsKey {
   TexelsKey(const ShownParts& shown, std::shared_ptr<const Occupancy> occupied)
       : CellsKey(shown.scene.volume, std::move(occupied)),
@@ -64,8 +73,6 @@ const Macrocells& macrocells(KeyedCache& held, const std::shared_ptr<const Volum
   return held.get(MacrocellsKey(volume, filter), macrocell_count(*volume) * 3 * sizeof(float),
                   [&] { return build_macrocells(*volume, filter, macrocell_side(*volume)); });
 }
-
-using SharedOccupancy = std::shared_ptr<const Occupancy>;
 
 const SharedOccupancy& occupancy(KeyedCache& held, const ShownParts& parts) {
   const auto& volume = parts.scene.volume;
@@ -112,6 +119,32 @@ GLuint macrocell_texture(KeyedCache& held, const ShownParts& shown) {
                            shown.features.adaptive, std::sqrt(volume->statistics.variance));
            })
       .id();
+}
+
+const std::shared_ptr<const BrickSet>& shown_bricks(KeyedCache& held, const ShownParts& shown) {
+  // Beyond a macrocell, in points: that of filters and differences, and of the sample behind the last one in
+  // it
+  const Rendering& rendering = shown.scene.rendering;
+  const double step = rendering.step * (shown.features.adaptive ? most_joined_steps : 1);
+  const int reach = 3 + int(std::ceil(step));
+  const auto& volume = shown.scene.volume;
+  const SharedOccupancy occupied = shown.features.skipping ? occupancy(held, shown) : nullptr;
+  return held.get(BricksKey(volume, occupied, reach), brick_count(volume->grid), [&] {
+    BrickSet bricks(brick_count(volume->grid), occupied ? 0 : 1);
+    if (occupied) {
+      const int side = macrocell_side(*volume);
+      const glm::ivec3 dims = macrocell_dims(volume->grid, side);
+      std::size_t index = 0;
+      for (int z = 0; z < dims.z; ++z)
+        for (int y = 0; y < dims.y; ++y)
+          for (int x = 0; x < dims.x; ++x)
+            if (occupied->cells[index++]) {
+              const glm::ivec3 first = side * glm::ivec3(x, y, z);
+              add_bricks(bricks, volume->grid, first - reach, first + side + reach);
+            }
+    }
+    return std::make_shared<const BrickSet>(std::move(bricks));
+  });
 }
 
 const std::vector<Box>& shown_boxes(KeyedCache& held, const ShownParts& shown) {

@@ -6,6 +6,7 @@
 #include "render/resources/keyed_cache.h"
 #include "render/scene/scene.h"
 #include "render/shader_inputs/features.h"
+#include "render/volume/bricks.h"
 #include "render/volume/clip.h"
 
 namespace crest {
@@ -30,6 +31,10 @@ GLuint macrocell_texture(KeyedCache& held, const ShownParts& shown);
 
 /// Boxes in world units that hold all macrocells in which something may show.
 const std::vector<Box>& shown_boxes(KeyedCache& held, const ShownParts& shown);
+
+/// The bricks (volume/bricks.h) that a picture reads: those around the macrocells in which something may
+/// show, where features.skipping; else all.
+const std::shared_ptr<const BrickSet>& shown_bricks(KeyedCache& held, const ShownParts& shown);
 
 /// The side of a macrocell, in cells of the grid.
 inline int macrocell_side(const Volume& volume) { return macrocell_side(volume.grid, volume.statistics); }

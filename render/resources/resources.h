@@ -24,6 +24,8 @@ struct Resources {
 
   gl::ProgramCache programs;
   KeyedCache held;
+  /// Volumes whose texture would be larger are drawn from bricks, of which so many bytes are held.
+  std::size_t whole_volume_bytes = std::size_t(1) << 31, atlas_bytes = std::size_t(1) << 33;
   std::optional<double> weight_error;  ///< of the texture unit (gl/filter_weights.h), once somebody asked
 };
 

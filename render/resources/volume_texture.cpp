@@ -1,19 +1,18 @@
 #include "render/resources/volume_texture.h"
 
 #include <fmt/core.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <limits>
-#include <span>
 
-#include "render/classify/stored_units.h"
 #include "render/gl/errors.h"
-#include "render/gl/filter_weights.h"
 #include "render/gl/texture.h"
 #include "render/gl/uniforms.h"
+#include "render/resources/brick_atlas.h"
+#include "render/resources/texel_format.h"
 #include "render/resources/volume_key.h"
 #include "render/volume/empty_cells.h"
-#include "render/volume/whole_values.h"
 
 namespace crest {
 
@@ -57,69 +56,53 @@ struct EmptyCellsKey : VolumeKey {
   bool operator==(const EmptyCellsKey&) const = default;
 };
 
-struct SixteenBitsKey {
-  bool operator==(const SixteenBitsKey&) const = default;
+struct AtlasKey : VolumeKey {
+  using VolumeKey::VolumeKey;
+  bool operator==(const AtlasKey&) const = default;
 };
 
-/// Whether the texture unit filters 16-bit texels as well as floats.
-bool filters_16_bits(KeyedCache& held) {
-  return held.get(SixteenBitsKey(), 0, [] {
-    constexpr double rounding = 0x1p-16;
-    return gl::measure_weight_error(GL_R16) <= gl::measure_weight_error(GL_R32F) + rounding;
-  });
-}
+struct InBricksKey : VolumeKey {
+  using VolumeKey::VolumeKey;
+  bool operator==(const InBricksKey&) const = default;
+};
 
-/// `fill` writes the points from `first` on: a slab at a time, since the whole would take as much again.
-template <class Value, class Fill>
-gl::TextureHandle upload_slabs(const Volume& volume, GLenum internal_format, GLenum type, const Fill& fill) {
-  constexpr std::size_t slab_points = std::size_t(1) << 22;
+/// A slab at a time, since the whole would take as much memory again.
+gl::TextureHandle upload_whole(const Volume& volume, const TexelFormat& format) {
+  constexpr std::size_t slab_points = std::size_t(1) << 22, grain = std::size_t(1) << 16;
   const glm::ivec3 dims = volume.grid.dims;
-  gl::TextureHandle texture = make_3d(dims, internal_format, GL_LINEAR);
+  gl::TextureHandle texture = make_3d(dims, format.internal, GL_LINEAR);
   require_room(dims);
   const std::size_t slice = std::size_t(dims.x) * std::size_t(dims.y);
   const int depth = int(std::clamp<std::size_t>(slab_points / slice, 1, std::size_t(dims.z)));
-  std::vector<Value> slab(slice * std::size_t(depth));
+  std::vector<std::byte> slab(slice * std::size_t(depth) * format.bytes);
   for (int z = 0; z < dims.z; z += depth) {
     const int slices = std::min(depth, dims.z - z);
-    fill(slice * std::size_t(z), std::span(slab).first(slice * std::size_t(slices)));
-    glTextureSubImage3D(texture.id(), 0, 0, 0, z, dims.x, dims.y, slices, GL_RED, type, slab.data());
+    const std::size_t first = slice * std::size_t(z), count = slice * std::size_t(slices);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& part) {
+      format.write(first + part.begin(), part.size(), slab.data() + part.begin() * format.bytes);
+    });
+    glTextureSubImage3D(texture.id(), 0, 0, 0, z, dims.x, dims.y, slices, GL_RED, format.type, slab.data());
     require_room(dims);
   }
   return texture;
 }
 
-/// Spread over the 16 bits by a power of two, so that a filter of few digits loses as little as may be.
-VolumeTexture upload_whole(const Volume& volume, const WholeValues& whole) {
-  constexpr int most = std::numeric_limits<std::uint16_t>::max();
-  int spread = 1;
-  while (2 * spread * std::max(whole.most, 1) <= most) spread *= 2;
-  return {upload_slabs<std::uint16_t>(volume, GL_R16, GL_UNSIGNED_SHORT,
-                                      [&](std::size_t first, std::span<std::uint16_t> out) {
-                                        write_steps(volume, whole, first, spread, out);
-                                      }),
-          float(most) / float(spread)};
+struct WholeVolume {
+  gl::TextureHandle texture;
+  float scale;
+};
+
+const WholeVolume& whole_volume(Resources& resources, const std::shared_ptr<const Volume>& volume) {
+  return resources.held.get(ValuesKey(volume), volume->grid.point_count() * texel_bytes(*volume), [&] {
+    const TexelFormat format = texel_format(resources.held, *volume);
+    return WholeVolume{upload_whole(*volume, format), format.scale};
+  });
 }
 
-VolumeTexture upload_volume(KeyedCache& held, const Volume& volume) {
-  const StoredUnits units = stored_units(volume);
-  const glm::ivec3 dims = volume.grid.dims;
-  GLint largest = 0;
-  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
-  if (std::max({dims.x, dims.y, dims.z}) > largest)
-    throw Error(fmt::format("{}: {}x{}x{} points are too many for this graphics driver: at most {} an axis",
-                            volume.name, dims.x, dims.y, dims.z, largest));
-  if (volume.has_empty_cells()) {
-    std::vector<float> values = finite_values(volume);
-    for (float& value : values) value = units.stored(value);
-    return {upload_3d(dims, GL_R32F, GL_RED, GL_FLOAT, values.data(), GL_LINEAR)};
-  }
-  if (const auto whole = whole_values(volume); whole && filters_16_bits(held))
-    return upload_whole(volume, *whole);
-  return {upload_slabs<float>(volume, GL_R32F, GL_FLOAT, [&](std::size_t first, std::span<float> out) {
-    std::vector<float> room;
-    const std::span<const float> values = volume.values.part(first, out.size(), room);
-    std::ranges::transform(values, out.begin(), [&](float value) { return units.stored(value); });
-  })};
+BrickAtlas& brick_atlas(Resources& resources, const std::shared_ptr<const Volume>& volume) {
+  return *resources.held.get(AtlasKey(volume), 0, [&] {
+    return std::make_unique<BrickAtlas>(*volume, texel_format(resources.held, *volume));
+  });
 }
 
 gl::TextureHandle upload_empty_cells(const Volume& volume, int radius) {
@@ -129,20 +112,37 @@ gl::TextureHandle upload_empty_cells(const Volume& volume, int radius) {
 
 }  // namespace
 
-const VolumeTexture& volume_texture(KeyedCache& held, const std::shared_ptr<const Volume>& volume) {
-  return held.get(ValuesKey(volume), volume->grid.point_count() * texture_bytes_per_point(*volume),
-                  [&] { return upload_volume(held, *volume); });
+bool is_in_bricks(Resources& resources, const std::shared_ptr<const Volume>& volume) {
+  return resources.held.get(InBricksKey(volume), 0, [&] {
+    const std::size_t bytes = volume->grid.point_count() * texel_bytes(*volume);
+    return bytes > resources.whole_volume_bytes ||
+           !takes_texture(volume->grid.dims, texel_format(resources.held, *volume).internal);
+  });
 }
 
-std::size_t texture_bytes_per_point(const Volume& volume) {
-  return whole_values(volume) ? sizeof(std::uint16_t) : sizeof(float);
+void hold_volume(Resources& resources, const std::shared_ptr<const Volume>& volume) {
+  if (is_in_bricks(resources, volume))
+    brick_atlas(resources, volume);
+  else
+    whole_volume(resources, volume);
 }
 
-void bind_volume(KeyedCache& held, const std::shared_ptr<const Volume>& volume, GLuint unit, GLuint program) {
-  const VolumeTexture& texture = volume_texture(held, volume);
-  glBindTextureUnit(unit, texture.texture.id());
-  gl::set(program, "volume", int(unit));
-  gl::set(program, "texel_scale", texture.scale);
+void bind_volume(Resources& resources, const std::shared_ptr<const Volume>& volume,
+                 const std::shared_ptr<const BrickSet>& bricks, VolumeUnits units, GLuint program) {
+  gl::set(program, "volume", int(units.volume));
+  if (!bricks) {
+    const WholeVolume& whole = whole_volume(resources, volume);
+    glBindTextureUnit(units.volume, whole.texture.id());
+    return gl::set(program, "texel_scale", whole.scale);
+  }
+  BrickAtlas& atlas = brick_atlas(resources, volume);
+  atlas.require(bricks, resources.atlas_bytes);
+  glBindTextureUnit(units.volume, atlas.texture());
+  glBindTextureUnit(units.brick_table, atlas.table());
+  gl::set(program, "brick_table", int(units.brick_table));
+  gl::set(program, "texel_scale", atlas.scale());
+  const glm::ivec3 points = volume->grid.dims;
+  glProgramUniform3i(program, glGetUniformLocation(program, "grid_points"), points.x, points.y, points.z);
 }
 
 GLuint empty_cells_texture(KeyedCache& held, const std::shared_ptr<const Volume>& volume, int radius) {

@@ -3,7 +3,8 @@
 #include <memory>
 
 #include "render/gl/handle.h"
-#include "render/resources/keyed_cache.h"
+#include "render/resources/resources.h"
+#include "render/volume/bricks.h"
 #include "render/volume/volume.h"
 
 namespace crest {
@@ -13,23 +14,24 @@ namespace crest {
 gl::TextureHandle upload_3d(glm::ivec3 size, GLenum internal_format, GLenum format, GLenum type,
                             const void* data, GLint filter);
 
-/// A volume on the GPU, in its stored_units(), filtered linearly: R32F, with stand-ins for voxels without a
-/// value; where the values are whole numbers (volume/whole_values.h), R16, if the driver filters it as well
-/// as floats (8-bit textures are filtered in 8 bits by some). Throws Error when the driver cannot hold it.
-struct VolumeTexture {
-  gl::TextureHandle texture;
-  float scale = 1;  ///< what a texel is to be multiplied by; features.whole_values says whether it is rounded
+/// Whether the driver cannot hold the volume in a texture of its own, or that would take more than
+/// `resources.whole_volume_bytes`. Then it is drawn from those bricks that a picture reads.
+bool is_in_bricks(Resources& resources, const std::shared_ptr<const Volume>& volume);
+
+/// What pictures of it will ask for, ahead of them. Throws Error when the driver cannot hold it. It may draw.
+void hold_volume(Resources& resources, const std::shared_ptr<const Volume>& volume);
+
+struct VolumeUnits {
+  GLuint volume, brick_table;
 };
-const VolumeTexture& volume_texture(KeyedCache& held, const std::shared_ptr<const Volume>& volume);
 
-/// Bytes a point of it, at most.
-std::size_t texture_bytes_per_point(const Volume& volume);
+/// Gives the program what field.glsl asks of it: the volume (as texel_format.h says), or, where `bricks` is
+/// not null, as features.bricks, so much of it. Throws Error when the driver cannot hold it.
+void bind_volume(Resources& resources, const std::shared_ptr<const Volume>& volume,
+                 const std::shared_ptr<const BrickSet>& bricks, VolumeUnits units, GLuint program);
 
-/// Binds it to the unit, and gives the program what field.glsl asks of it.
-void bind_volume(KeyedCache& held, const std::shared_ptr<const Volume>& volume, GLuint unit, GLuint program);
-
-/// Where they are: R8UI, a cell a texel, 1 where a point that a filter of this radius reaches has no value.
-/// Throws Error as above.
+/// Where no voxel has a value: R8UI, a cell a texel, 1 where a point that a filter of this radius reaches has
+/// no value. Throws Error as above.
 GLuint empty_cells_texture(KeyedCache& held, const std::shared_ptr<const Volume>& volume, int radius);
 
 }  // namespace crest

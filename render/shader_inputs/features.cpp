@@ -34,6 +34,7 @@ const std::vector<FeatureName>& all_features() {
       {&Features::skipping, "skipping", "SKIPPING"},
       {&Features::empty_cells, "empty_cells", "EMPTY_CELLS"},
       {&Features::whole_values, "whole_values", "WHOLE_VALUES"},
+      {&Features::bricks, "bricks", "BRICKS"},
       {&Features::long_rays, "long_rays", "LONG_RAYS"},
       {&Features::statistics, "statistics", "STATISTICS"},
   };

@@ -32,6 +32,7 @@ struct Features {
   bool skipping = false;      ///< of macrocells in which nothing shows
   bool empty_cells = false;   ///< voxels without a value are in view
   bool whole_values = false;  ///< the volume's values are whole numbers of steps, in 16 bits
+  bool bricks = false;        ///< only those parts of the volume are held that may show
   bool long_rays = false;     ///< drawn in several passes
   bool statistics = false;
   Placement placement = Placement::entry_exit_corner;

@@ -14,7 +14,7 @@ struct CellWalk {
 
 CellWalk begin_cell_walk(Ray ray, Span span) {
   CellWalk walk;
-  walk.cells = textureSize(volume, 0) - 1;
+  walk.cells = volume_points() - 1;
   bvec3 down = lessThan(ray.direction, vec3(0.0));
   walk.first = mix(ivec3(0), walk.cells, down);
   walk.step = mix(ivec3(1), ivec3(-1), down);

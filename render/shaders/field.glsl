@@ -10,20 +10,28 @@ uniform sampler3D volume;
 uniform float texel_scale;
 uniform vec3 texture_scale, texture_offset;  // from a position in the box to the texture: point i is at (i+0.5)/n
 
+#if BRICKS
+#include "bricks.glsl"
+#else
+ivec3 volume_points() { return textureSize(volume, 0); }
+float texel_at(ivec3 point) { return texelFetch(volume, point, 0).r; }
+float texel_between(vec3 place) { return textureLod(volume, place, 0.0).r; }
+#endif
+
 #if WHOLE_VALUES
 // Texels of 16 bits are shares of texel_scale, and a little off the whole numbers that they stand for. These are met
 // exactly at points, and between points that are equal.
-float value_at_point(ivec3 point) { return round(texel_scale * texelFetch(volume, point, 0).r); }
+float value_at_point(ivec3 point) { return round(texel_scale * texel_at(point)); }
 
 float value_between(vec3 place) {
   const float rounding = 2.5e-7;  // of a share, and of the product: 2^-24 and 2^-23
-  float value = texel_scale * textureLod(volume, place, 0.0).r, whole = round(value);
+  float value = texel_scale * texel_between(place), whole = round(value);
   return abs(value - whole) <= rounding * whole ? whole : value;
 }
 #else
-float value_at_point(ivec3 point) { return texelFetch(volume, point, 0).r; }
+float value_at_point(ivec3 point) { return texel_at(point); }
 
-float value_between(vec3 place) { return textureLod(volume, place, 0.0).r; }
+float value_between(vec3 place) { return texel_between(place); }
 #endif
 
 #if FILTER_LINEAR

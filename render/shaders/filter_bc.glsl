@@ -12,7 +12,7 @@ struct Support {
 Support support_at(vec3 position, out vec3 u) {
   vec3 place = position / cell_size, base = floor(place);
   u = place - base;
-  ivec3 point = ivec3(base), last = textureSize(volume, 0) - 1;
+  ivec3 point = ivec3(base), last = volume_points() - 1;
   const ivec4 around = ivec4(-1, 0, 1, 2);
   vec3 squared = u * u, cubed = squared * u;
   return Support(clamp(point.x + around, 0, last.x), clamp(point.y + around, 0, last.y),

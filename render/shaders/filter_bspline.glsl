@@ -10,7 +10,7 @@ struct Pairs {
 
 // From how far each lies from its first point.
 Pairs pairs_around(vec3 base, vec3 first, vec3 second) {
-  vec3 size = vec3(textureSize(volume, 0));
+  vec3 size = vec3(volume_points());
   return Pairs((base - 0.5 + first) / size, (base + 1.5 + second) / size);
 }
 

@@ -8,7 +8,7 @@ struct Corners {
 
 Corners corners_at(vec3 position, ivec3 last_cell) {
   vec3 place = position / cell_size;
-  ivec3 a = clamp(ivec3(floor(place)), ivec3(0), last_cell), b = min(a + 1, textureSize(volume, 0) - 1);
+  ivec3 a = clamp(ivec3(floor(place)), ivec3(0), last_cell), b = min(a + 1, volume_points() - 1);
   Corners corners;
   corners.low = vec4(value_at_point(a), value_at_point(ivec3(a.x, b.y, a.z)),
                      value_at_point(ivec3(a.xy, b.z)), value_at_point(ivec3(a.x, b.yz)));
@@ -19,7 +19,7 @@ Corners corners_at(vec3 position, ivec3 last_cell) {
 }
 
 float linear_exact_field(vec3 position) {
-  Corners c = corners_at(position, textureSize(volume, 0) - 1);
+  Corners c = corners_at(position, volume_points() - 1);
   vec4 edges = c.low + (c.high - c.low) * c.place.x;
   vec2 face = edges.xz + (edges.yw - edges.xz) * c.place.y;
   return face.x + (face.y - face.x) * c.place.z;
@@ -28,7 +28,7 @@ float linear_exact_field(vec3 position) {
 #if FILTER_GRADIENT
 // The trilinear field's own derivative, which jumps at the cells' faces.
 vec3 linear_exact_gradient(vec3 position) {
-  Corners c = corners_at(position, textureSize(volume, 0) - 2);
+  Corners c = corners_at(position, volume_points() - 2);
   vec4 rise_x = c.high - c.low, edges = c.low + rise_x * c.place.x;
   vec2 face_x = rise_x.xz + (rise_x.yw - rise_x.xz) * c.place.y;
   vec2 rise_y = edges.yw - edges.xz, face = edges.xz + rise_y * c.place.y;

@@ -6,6 +6,7 @@
 #include "render/resources/classification.h"
 #include "render/resources/shader_tf_texture.h"
 #include "render/resources/table_textures.h"
+#include "render/resources/volume_key.h"
 #include "render/resources/volume_texture.h"
 #include "render/scene/camera.h"
 #include "render/shader_inputs/view_uniforms.h"
@@ -17,9 +18,15 @@ namespace {
 using gl::set;
 
 constexpr float line_pixels = 1.5F;
-enum Unit : GLuint { volume_unit, empty_cells_unit, tf_unit };
+enum Unit : GLuint { volume_unit, brick_table_unit, empty_cells_unit, tf_unit };
 
-Features features_of(const Scene& scene) {
+struct SliceBricksKey : VolumeKey {
+  SliceBricksKey(const std::shared_ptr<const Volume>& volume, const Slice& s) : VolumeKey(volume), slice(s) {}
+  Slice slice;
+  bool operator==(const SliceBricksKey&) const = default;
+};
+
+Features features_of(Resources& resources, const Scene& scene) {
   // The texture unit's filter may have 8 bits: lines would be stairs
   const auto exact = [](Filter filter) { return filter == Filter::linear ? Filter::linear_exact : filter; };
   Features features;
@@ -27,11 +34,30 @@ Features features_of(const Scene& scene) {
   features.root_filter = exact(root_filter(scene.rendering).kind);
   features.own_root_filter = features.filter != features.root_filter;
   features.empty_cells = scene.volume->has_empty_cells();
+  features.bricks = is_in_bricks(resources, scene.volume);
   features.whole_values = whole_values(*scene.volume).has_value();
   return features;
 }
 
-void bind(KeyedCache& held, GLuint program, const Scene& scene, const Features& features) {
+/// Those that a slice goes through, with what its filters reach.
+std::shared_ptr<const BrickSet> bricks_of(KeyedCache& held, const std::shared_ptr<const Volume>& volume,
+                                          const Slice& slice) {
+  return held.get(SliceBricksKey(volume, slice), brick_count(volume->grid), [&] {
+    constexpr int reach = 3;
+    const glm::ivec3 last = volume->grid.dims - 1;
+    glm::ivec3 from(0), to = last;
+    const int at = int(slice.place * last[slice.axis]);
+    from[slice.axis] = at - reach;
+    to[slice.axis] = at + 1 + reach;
+    BrickSet bricks(brick_count(volume->grid));
+    add_bricks(bricks, volume->grid, from, to);
+    return std::make_shared<const BrickSet>(std::move(bricks));
+  });
+}
+
+void bind(Resources& resources, GLuint program, const Scene& scene, const Slice& slice,
+          const Features& features) {
+  KeyedCache& held = resources.held;
   const Volume& volume = *scene.volume;
   const StoredUnits units = stored_units(volume);
   const ValueRange range = with_width(units.stored(volume.statistics.range));
@@ -41,7 +67,8 @@ void bind(KeyedCache& held, GLuint program, const Scene& scene, const Features& 
     glBindTextureUnit(unit, texture);
     set(program, sampler, int(unit));
   };
-  bind_volume(held, scene.volume, volume_unit, program);
+  bind_volume(resources, scene.volume, features.bricks ? bricks_of(held, scene.volume, slice) : nullptr,
+              {volume_unit, brick_table_unit}, program);
   if (features.empty_cells)
     bind_texture(empty_cells_unit, "empty_cells",
                  empty_cells_texture(held, scene.volume, support_radius(scene.rendering)));
@@ -71,10 +98,10 @@ void place(GLuint program, const Grid& grid, const Slice& slice, glm::ivec2 size
 void SliceRenderer::draw(Resources& resources, const Scene& scene, const Slice& slice,
                          gl::DisplayTexture& to) {
   resources.held.begin_round();
-  const Features features = features_of(scene);
+  const Features features = features_of(resources, scene);
   const GLuint program =
       resources.programs.program("fullscreen.vert", "slice.frag", shader_defines(features));
-  bind(resources.held, program, scene, features);
+  bind(resources, program, scene, slice, features);
   set_view(program, scene, whole_volume_camera(scene.volume->grid, 1), to.size());
   place(program, scene.volume->grid, slice, to.size());
   gl::begin_whole_target(to.framebuffer(), to.size());

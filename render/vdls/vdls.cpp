@@ -13,6 +13,7 @@
 #include "render/classify/stored_units.h"
 #include "render/gl/uniforms.h"
 #include "render/resources/table_textures.h"
+#include "render/resources/texel_format.h"
 #include "render/resources/volume_texture.h"
 #include "render/shader_inputs/blend_mode.h"
 #include "render/shader_inputs/view_uniforms.h"
@@ -178,7 +179,7 @@ Proxy Vdls::make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size,
 
 void Vdls::bind_volume(const Prepared& p, GLuint program) {
   KeyedCache& held = resources_->held;
-  crest::bind_volume(held, p.scene.volume, volume_unit, program);
+  crest::bind_volume(*resources_, p.scene.volume, nullptr, {volume_unit, volume_unit}, program);
   bind_tf_texture(program, p.tf, tf_unit);
   bind_blend_mode(program, p.scene, p.units);
   if (!is_shaded(p.scene.rendering)) return;
@@ -230,7 +231,9 @@ void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& targ
   if (const std::string why = why_not_vdls(scene); !why.empty()) throw Error(why);
   resources_->held.begin_round();
   const Prepared prepared = prepare(scene);
-  volume_texture(resources_->held, scene.volume);  // it may draw to be made
+  if (is_in_bricks(*resources_, scene.volume))
+    throw Error("the vdls engine needs the whole volume on the graphics device, which has no room for it");
+  hold_volume(*resources_, scene.volume);  // which may draw
   layers_.attach(target);
   glViewport(0, 0, target.size().x, target.size().y);
   glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
@@ -276,7 +279,7 @@ PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
 
   const glm::ivec3 dims = prepared.volume.grid.dims;
   need.gpu_data.push_back({"volume", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
-                           prepared.volume.grid.point_count() * texture_bytes_per_point(prepared.volume)});
+                           prepared.volume.grid.point_count() * texel_bytes(prepared.volume)});
   if (shading && o.gradient_volume)
     need.gpu_data.push_back({"gradients", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
                              prepared.volume.grid.point_count() * 4 * sizeof(GLshort)});

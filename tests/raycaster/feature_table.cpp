@@ -97,6 +97,7 @@ std::vector<Parameter<Features>> with_those_of_any_ray(std::vector<Parameter<Fea
   parameters.push_back(flag("early termination", &Features::early_termination));
   parameters.push_back(flag("skipping", &Features::skipping));
   parameters.push_back(flag("empty cells", &Features::empty_cells));
+  parameters.push_back(flag("bricks", &Features::bricks));
   parameters.push_back(flag("whole values", &Features::whole_values));
   parameters.push_back(flag("long rays", &Features::long_rays));
   parameters.push_back(flag("statistics", &Features::statistics));

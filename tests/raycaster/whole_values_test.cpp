@@ -5,7 +5,7 @@
 
 #include "presets/names.h"
 #include "render/renderer.h"
-#include "render/resources/volume_texture.h"
+#include "render/resources/texel_format.h"
 #include "render/volume/builtin.h"
 #include "tests/raycaster/fixture.h"
 
@@ -88,13 +88,11 @@ class WholeValuesDrawn : public RaycasterTest {};
 
 TEST_F(WholeValuesDrawn, TakeTwoBytesAPoint) {
   const Ptr volume = stored_gyroid<std::uint8_t>(255, 0, {});
-  KeyedCache held(std::size_t(1) << 20);
-  const VolumeTexture& texture = volume_texture(held, volume);
-  GLint format = 0;
-  glGetTextureLevelParameteriv(texture.texture.id(), 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
-  EXPECT_EQ(format, GL_R16);
-  EXPECT_EQ(held.bytes(), 2 * volume->values.size());
-  EXPECT_EQ(texture_bytes_per_point(*as_floats(volume)), 4u);
+  KeyedCache held(0);
+  EXPECT_EQ(texel_format(held, *volume).internal, GLenum(GL_R16));
+  EXPECT_EQ(texel_bytes(*volume), 2u);
+  EXPECT_EQ(texel_format(held, *as_floats(volume)).internal, GLenum(GL_R32F));
+  EXPECT_EQ(texel_bytes(*as_floats(volume)), 4u);
 }
 
 // What is fetched and interpolated in float is the same number; the texture unit's may round otherwise.

@@ -1,0 +1,151 @@
+#include "render/volume/bricks.h"
+
+#include "render/resources/brick_atlas.h"
+#include "render/resources/volume_texture.h"
+#include "render/slices/slice_renderer.h"
+#include "render/volume/builtin.h"
+#include "tests/raycaster/fixture.h"
+
+namespace crest::testing {
+namespace {
+
+using Ptr = std::shared_ptr<const Volume>;
+constexpr glm::ivec2 size{64, 64};
+
+TEST(Bricks, HaveEachCellOnce) {
+  EXPECT_EQ(brick_dims({{33, 34, 2}}), glm::ivec3(1, 2, 1));
+  EXPECT_EQ(brick_dims({{65, 64, 96}}), glm::ivec3(2, 2, 3));
+}
+
+TEST(Bricks, ThatHoldABoxAreThoseOfItsCells) {
+  const Grid grid{{97, 97, 97}};
+  BrickSet set(brick_count(grid));
+  add_bricks(set, grid, {31, 0, 70}, {32, 5, 500});
+  EXPECT_EQ(size_of(set), 2u);
+  EXPECT_TRUE(set[0 + 3 * (0 + 3 * 2)]);
+  EXPECT_TRUE(set[1 + 3 * (0 + 3 * 2)]);
+  add_bricks(set, grid, {-9, -9, -9}, {200, 200, 200});
+  EXPECT_EQ(size_of(set), 27u);
+}
+
+/// Thin tubes in empty space, on a grid that bricks do not divide evenly, as 8 bits or as floats.
+Ptr vessels(bool as_floats) {
+  const Volume cube = make_builtin("vessels?n=100");
+  Volume volume;
+  volume.name = cube.name;
+  volume.grid = {{100, 90, 71}, cube.grid.spacing, cube.grid.origin};
+  std::vector<std::uint8_t> stored;
+  for (int k = 0; k < 71; ++k)
+    for (int j = 0; j < 90; ++j)
+      for (int i = 0; i < 100; ++i)
+        stored.push_back(std::uint8_t(std::lround(255 * std::clamp(double(cube.at(i, j, k)), 0.0, 1.0))));
+  volume.values = Voxels(std::move(stored), {});
+  if (as_floats) volume.values.floats();
+  volume.statistics = compute_statistics(volume.grid, volume.values);
+  return std::make_shared<const Volume>(std::move(volume));
+}
+
+Scene scene_of(const Ptr& volume) {
+  Scene scene;
+  scene.volume = volume;
+  scene.tf = make_tf({point(0, 0), point(60, 0), point(90, 0.3, {1, 0.3, 0.2}), point(119, 0.05),
+                      point(120, 0.9, {1, 1, 0.6}), point(121, 0.05), point(255, 0.5, {0.3, 0.6, 1})},
+                     0.02);
+  scene.rendering.step = 0.5;
+  return scene;
+}
+
+class BricksDrawn : public RaycasterTest {
+ protected:
+  BricksDrawn() { bricked->whole_volume_bytes = 1000; }
+
+  static Image drawn(Raycaster& with, const Scene& scene) {
+    gl::RenderTarget target(size, false);
+    with.draw(scene, sees_unit_cube, target);
+    return target.read_color();
+  }
+  std::shared_ptr<Resources> bricked = std::make_shared<Resources>();
+  Raycaster in_bricks{bricked};
+};
+
+TEST_F(BricksDrawn, MakeThePictureOfTheWholeVolume) {
+  for (const bool as_floats : {false, true}) {
+    const Ptr volume = vessels(as_floats);
+    const auto compare = [&](const std::string& what, double bound, const auto& change) {
+      Scene scene = scene_of(volume);
+      change(scene.rendering);
+      const Need need = in_bricks.need(scene, sees_unit_cube, size, false);
+      EXPECT_TRUE(need.features.bricks);
+      EXPECT_TRUE(need.features.skipping);
+      EXPECT_LT(need.brick_count, brick_count(volume->grid)) << what;
+      const Image parts = drawn(in_bricks, scene), whole = drawn(raycaster, scene);
+      EXPECT_LE(largest_difference(parts, whole), bound) << what;
+      EXPECT_GT(largest_difference(whole, Image{size, std::vector<glm::vec4>(whole.pixels.size())}), 0.1);
+    };
+    const double filtered = 1e-3, fetched = 1e-6;  // the texture unit takes places in another texture
+    compare("linear", filtered, [](Rendering&) {});
+    compare("analytic", fetched, [](Rendering& r) { r.classification = ClassificationMethod::analytic; });
+    if (as_floats) continue;
+    compare("linear_exact", fetched, [](Rendering& r) { r.filter = Filter::linear_exact; });
+    compare("bspline", filtered, [](Rendering& r) { r.filter = Filter::bspline; });
+    compare("bc", fetched, [](Rendering& r) { r.filter = Filter::bc; });
+    compare("xor", filtered, [](Rendering& r) { r.mode = Mode::peak_xor_dvr; });
+    compare("dvr", filtered, [](Rendering& r) { r.mode = Mode::dvr_only; });
+    compare("shaded", filtered, [](Rendering& r) { r.shading = Shading::gradient; });
+    compare("long steps", filtered, [](Rendering& r) { r.step = 5; });
+    compare("adaptive", filtered, [](Rendering& r) { r.adaptive = true; });
+    compare("preintegrated", filtered,
+            [](Rendering& r) { r.classification = ClassificationMethod::preintegrated; });
+  }
+}
+
+TEST_F(BricksDrawn, AreAllHeldWhereNothingIsSkipped) {
+  const Ptr volume = vessels(false);
+  Scene scene = scene_of(volume);
+  scene.rendering.skipping = false;
+  EXPECT_EQ(in_bricks.need(scene, sees_unit_cube, size, false).brick_count, brick_count(volume->grid));
+  EXPECT_LE(largest_difference(drawn(in_bricks, scene), drawn(raycaster, scene)), 1e-3);
+}
+
+std::vector<std::uint8_t> slice_of(Resources& resources, const Scene& scene, const Slice& slice) {
+  gl::DisplayTexture display(size);
+  SliceRenderer().draw(resources, scene, slice, display);
+  std::vector<std::uint8_t> bytes(std::size_t(4 * size.x * size.y));
+  glGetTextureImage(display.texture(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(bytes.size()), bytes.data());
+  return bytes;
+}
+
+TEST_F(BricksDrawn, SlicesAreThoseOfTheWholeVolume) {
+  const Scene scene = scene_of(vessels(false));
+  for (const double place : {0.0, 0.31, 0.5, 1.0})
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_EQ(slice_of(*bricked, scene, {axis, place}),
+                slice_of(raycaster.resources(), scene, {axis, place}))
+          << axis << ' ' << place;
+}
+
+TEST_F(BricksDrawn, StayWhileThereIsRoom) {
+  const Ptr volume = vessels(false);
+  KeyedCache held(0);
+  BrickAtlas atlas(*volume, texel_format(held, *volume));
+  const auto some = [&](std::size_t first, std::size_t count) {
+    auto set = std::make_shared<BrickSet>(brick_count(volume->grid));
+    std::fill_n(set->begin() + std::ptrdiff_t(first), count, std::uint8_t(1));
+    return std::shared_ptr<const BrickSet>(set);
+  };
+  constexpr std::size_t plenty = std::size_t(1) << 30;
+  atlas.require(some(0, 20), plenty);
+  EXPECT_EQ(atlas.uploads(), 20);
+  atlas.require(some(5, 15), plenty);
+  EXPECT_EQ(atlas.uploads(), 20);
+  atlas.require(some(0, 22), plenty);  // into the quarter that is kept
+  EXPECT_EQ(atlas.uploads(), 22);
+  atlas.require(some(20, 10), plenty);
+  EXPECT_EQ(atlas.uploads(), 30);
+  EXPECT_THROW(atlas.require(some(0, 36), 1000), gl::NoRoom);
+  atlas.require(some(0, 36), plenty);  // in a new texture
+  EXPECT_EQ(atlas.uploads(), 66);
+}
+
+}  // namespace
+}  // namespace crest::testing
