@@ -106,7 +106,8 @@ void add_compare_command(Options app, Action& chosen) {
   options->scene.add_to(command);
   options->picture.add_to(command);
   command.add_example("crest compare builtin:plume --preset fire --step 0.25 -o fire.png --json");
-  command.when_read([options, &chosen] {
+  command.when_read([options, command, &chosen] {
+    if (options->picture.is_to_stdout()) command.leave_out({"--json"});
     options->picture.check();
     chosen = [options] { compare_modes(*options); };
   });

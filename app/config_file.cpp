@@ -68,7 +68,12 @@ void set(std::vector<std::string>& values, const Json& json, const OptionRow& ro
 }
 
 void set_row(OptionRow& row, const Json& json, const std::string& path) {
-  std::visit([&](auto* value) { set(*value, json, row, path); }, row.value);
+  std::visit(
+      [&](auto* value) {
+        if (!row.is_set) row.unset = [value, before = *value] { *value = before; };
+        set(*value, json, row, path);
+      },
+      row.value);
   row.is_set = true;
 }
 

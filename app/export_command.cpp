@@ -84,12 +84,12 @@ void require_other_file(const ExportCommandOptions& options, const fs::path& out
 
 void export_preset(const ExportCommandOptions& options) {
   const Exporter& exporter = find_exporter(options.format);
-  Preset preset = load_preset(options.preset);
-  if (preset.name.empty()) preset.name = fs::path(options.preset).stem().string();
   if (!options.preview.empty() && options.volume.empty()) throw UsageError("--preview", "needs a --volume");
   require_other_file(options, options.output);
   require_writable(options.output);
   if (!options.preview.empty()) require_picture_file(options.preview);
+  Preset preset = load_preset(options.preset);
+  if (preset.name.empty()) preset.name = fs::path(options.preset).stem().string();
   std::shared_ptr<const Volume> volume;
   if (!options.volume.empty()) volume = std::make_shared<const Volume>(load_volume(options.volume));
   const ExportInput input =

@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/sources.h"
+#include "presets/atomic_file.h"
 #include "presets/error.h"
 #include "presets/exchange/importers.h"
 #include "presets/json.h"
@@ -37,12 +38,13 @@ void list_names(const std::vector<Imported>& all, bool as_json) {
 }
 
 void import_file(const ImportOptions& options) {
-  const std::vector<Imported> all = import_presets(options.file);
-  if (options.list) return list_names(all, options.json);
+  if (options.list) return list_names(import_presets(options.file), options.json);
   if (options.output.empty()) throw UsageError("--output", "say which preset to write, or --list");
+  require_writable(options.output);
   const TfParts take = parts_of(options.take);
   if (take != TfParts::both && options.onto.empty())
     throw UsageError("--onto", "say of which preset the rest is taken");
+  const std::vector<Imported> all = import_presets(options.file);
   const Imported& chosen = choose(all, options.name, options.file);
   TransferFunction read = chosen.preset.transfer_function;
   Preset preset = options.onto.empty() ? chosen.preset : load_preset(options.onto);

@@ -18,7 +18,8 @@ struct OptionRow {
   std::vector<std::string> words;  ///< values that it may have; completions offer them
   bool has_other_values = true;    ///< beside `words`
   bool is_required = false, may_repeat = false;
-  bool is_set = false;  ///< by the config file
+  bool is_set = false;               ///< by the config file
+  std::function<void()> unset = {};  ///< to the value without the config file
 
   /// Where its value goes.
   std::variant<std::string*, int*, bool*, std::vector<std::string>*> value;

@@ -158,7 +158,25 @@ void Options::add_flag(const std::string& names, bool& value, const std::string&
 
 void Options::when_read(const std::function<void()>& callback) { app_->callback(callback); }
 
-bool Options::is_given(const std::string& name) const { return app_->count(name) > 0; }
+OptionRow& Options::row(const std::string& name) const {
+  return *std::ranges::find(command_->options, name, &OptionRow::long_name);
+}
+bool Options::is_given(const std::string& name) const { return is_typed(name) || row(name).is_set; }
+bool Options::is_typed(const std::string& name) const { return app_->count(name) > 0; }
+
+void Options::leave_out(const std::vector<std::string>& names) const {
+  for (const std::string& name : names)
+    if (OptionRow& left_out = row(name); !is_typed(name) && left_out.is_set) {
+      left_out.unset();
+      left_out.is_set = false;
+    }
+}
+
+void Options::prefer_typed(const std::string& one, const std::vector<std::string>& others) const {
+  if (std::ranges::any_of(others, [&](const std::string& name) { return is_typed(name); })) leave_out({one});
+  if (is_typed(one)) leave_out(others);
+}
+
 bool Options::has_command() const { return !app_->get_subcommands().empty(); }
 
 std::string Options::text() const {

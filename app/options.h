@@ -69,13 +69,19 @@ class Options {
   /// Called once all options of this command were read; it may throw UsageError.
   void when_read(const std::function<void()>& callback);
 
-  bool is_given(const std::string& name) const;
+  bool is_given(const std::string& name) const;  ///< on the command line, or in the config file
+  bool is_typed(const std::string& name) const;  ///< on the command line
+  /// Options that have no part in what is asked for get no value from the config file.
+  void leave_out(const std::vector<std::string>& names) const;
+  /// One option excludes the others: what is typed wins over what the config file sets.
+  void prefer_typed(const std::string& one, const std::vector<std::string>& others) const;
   bool has_command() const;  ///< whether one of its commands is chosen
   /// The command with its options, as a shell would be given them; with those of the config file.
   std::string text() const;
   const OptionTable& table() const { return *table_; }
 
  private:
+  OptionRow& row(const std::string& name) const;
   CLI::App* app_;
   OptionTable* table_;
   CommandRow* command_;

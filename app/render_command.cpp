@@ -17,6 +17,7 @@
 #include "app/scene_options.h"
 #include "app/sources.h"
 #include "presets/json.h"
+#include "presets/printable.h"
 #include "render/files/load.h"
 #include "render/measure/probe_scene.h"
 #include "render/measure/timing.h"
@@ -171,9 +172,17 @@ void render_and_watch(const RenderOptions& options) {
       if (is_volume_new) volume = read_volume(options);
       draw(volume);
     } catch (const std::exception& error) {
-      fmt::print(stderr, "crest: {}\n", error.what());  // what was drawn last stays
+      fmt::print(stderr, "crest: {}\n", printable(error.what()));  // what was drawn last stays
     }
   }
+}
+
+void yield_to_typed(const RenderOptions& options, Options command) {
+  if (options.picture.is_to_stdout()) command.leave_out({"--json", "--turntable", "--watch"});
+  if (options.scene.is_preset_from_stdin()) command.leave_out({"--watch"});
+  command.prefer_typed("--auto", {"--step", "--engine", "--exact", "--error-bound", "--turntable"});
+  command.prefer_typed("--turntable", {"--json", "--error-bound"});
+  if (!options.automatic.is_on) command.leave_out({"--target-error", "--budget"});
 }
 
 }  // namespace
@@ -202,11 +211,14 @@ void add_render_command(Options app, Action& chosen) {
   command.add_example("crest render builtin:plume --preset dirac-shell -o plume.png");
   command.add_example("crest render head.nrrd --preset my.json --mode PEAK_ONLY --size 800x600 -o head.exr");
   command.add_example("crest render builtin:sphere --preset onion --eye -2,-4,1.5 --up 0,0,1 -o onion.png");
-  command.when_read([options, &chosen] {
+  command.when_read([options, command, &chosen] {
+    yield_to_typed(*options, command);
     options->picture.check();
     if (options->picture.is_to_stdout() && (options->turntable > 1 || options->watch))
       throw UsageError(options->watch ? "--watch" : "--turntable", "the standard output takes one picture");
     options->automatic.check(options->scene);
+    if (options->watch && options->scene.is_preset_from_stdin())
+      throw UsageError("--watch", "the standard input is read once: a preset's file, or its name");
     if (const std::filesystem::path bound = options->error_bound;
         !bound.empty() && bound.extension() != ".png" && bound.extension() != ".exr")
       throw UsageError("--error-bound", "takes a .png or an .exr");

@@ -73,6 +73,11 @@ void SceneOptions::add_to(Options options) {
   options.add_flag("--fit-range", fit_range, "Map the transfer function's span onto the volume's range");
 }
 
+std::vector<std::string> SceneOptions::option_names() {
+  return {"--preset", "--mode", "--engine", "--illumination", "--step",      "--eye",
+          "--target", "--up",   "--fov",    "--projection",   "--fit-range", "--set"};
+}
+
 bool SceneOptions::has_any() const {
   const auto is_given = [](const std::string& text) { return !text.empty(); };
   return fit_range || !sets.empty() ||

@@ -20,6 +20,7 @@ struct SceneOptions {
   bool fit_range = false;
 
   void add_to(Options options);
+  static std::vector<std::string> option_names();
   /// Whether the preset is read from the standard input, which can be done once.
   bool is_preset_from_stdin() const { return preset == "-"; }
   bool has_any() const;  ///< whether anything but the volume was said

@@ -155,6 +155,11 @@ void open_studio(const StudioOptions& options) {
   run_window(options);
 }
 
+void require_logs(const StudioOptions& options) {
+  for (const auto& log : {options.frame_log, options.layout_file})
+    if (!log.empty()) require_writable(log);
+}
+
 /// A word that stands alone could be a mistyped command.
 void expect_volume(const OptionTable& table, const std::string& source) {
   if (source.find_first_of("./:?") == source.npos && !is_volume_there(source))
@@ -213,7 +218,10 @@ void add_studio_options(Options to, StudioOptions& options) {
 
 void add_studio(Options app, Action& chosen) {
   auto options = std::make_shared<StudioOptions>();
-  const auto run = [options] { has_display() ? open_studio(*options) : run_without_display(*options); };
+  const auto run = [options] {
+    require_logs(*options);
+    has_display() ? open_studio(*options) : run_without_display(*options);
+  };
   add_studio_options(app, *options);
   app.when_read([options, run, &chosen, app] {
     if (app.has_command()) return;

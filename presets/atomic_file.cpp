@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <utility>
 
 #include "presets/error.h"
@@ -25,13 +26,17 @@ namespace {
                           no_folder ? "its folder does not exist" : std::strerror(error)));
 }
 
+/// What keeps a file from being made in the folder, which is another thing than the file's own permission.
+[[noreturn]] void fail_in_folder(const fs::path& path, int error) {
+  if (error != EACCES && error != EPERM) fail_writing(path, error);
+  throw Error(fmt::format("cannot write {}: no file can be made in its folder: {}", path.string(),
+                          std::strerror(error)));
+}
+
 /// An open file, and the checks of each call on it. Errors name `path`, which the person knows.
 class File {
  public:
-  File(const fs::path& name, int flags, const fs::path& path)
-      : known_as(path), fd(::open(name.c_str(), flags | O_CLOEXEC, 0666)) {
-    if (fd < 0) fail_writing(known_as, errno);
-  }
+  File(int open_file, const fs::path& path) : known_as(path), fd(open_file) {}
   File(const File&) = delete;
   File& operator=(const File&) = delete;
   ~File() {
@@ -46,7 +51,11 @@ class File {
       content.remove_prefix(std::size_t(written));
     }
   }
-  void set_mode(mode_t mode) {
+  /// Owner and group where that is permitted, and permissions. Another group gets no more than others have.
+  void take_after(const struct stat& old) {
+    mode_t mode = old.st_mode & 07777;
+    if (::fchown(fd, old.st_uid, old.st_gid) != 0 && ::fchown(fd, uid_t(-1), old.st_gid) != 0)
+      mode = (mode & 0707) | (mode & 0007) << 3;
     if (::fchmod(fd, mode) != 0) fail_writing(known_as, errno);
   }
   void sync() {
@@ -61,19 +70,15 @@ class File {
   int fd;
 };
 
-/// A new, empty file of its own name in the folder of `target`; removed again unless it is renamed.
+/// A new, empty file of its own name in the folder of `target`; removed again unless it is renamed. It has an
+/// ending of its own, so that who reads all presets of a folder does not read it.
 class TemporaryFile {
  public:
-  TemporaryFile(const fs::path& target, const fs::path& path) : known_as(path) {
-    for (int attempt = 0;; ++attempt) {
-      name = target.parent_path() /
-             fmt::format(".crest-{}-{}{}", ::getpid(), attempt, target.extension().string());
-      const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (fd >= 0) {
-        ::close(fd);
-        return;
-      }
-      if (errno != EEXIST || attempt == 1000) fail_writing(known_as, errno);
+  TemporaryFile(const fs::path& target, mode_t mode, const fs::path& path) : known_as(path) {
+    for (int attempt = 0; fd < 0; ++attempt) {
+      name = target.parent_path() / fmt::format(".crest-{}-{}.part", ::getpid(), attempt);
+      fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+      if (fd < 0 && (errno != EEXIST || attempt == 1000)) fail_in_folder(known_as, errno);
     }
   }
   TemporaryFile(const TemporaryFile&) = delete;
@@ -82,7 +87,7 @@ class TemporaryFile {
     if (!name.empty()) ::unlink(name.c_str());
   }
 
-  const fs::path& path() const { return name; }
+  int file() const { return fd; }
   void rename_to(const fs::path& target) {
     if (::rename(name.c_str(), target.c_str()) != 0) fail_writing(known_as, errno);
     name.clear();
@@ -90,7 +95,21 @@ class TemporaryFile {
 
  private:
   fs::path name, known_as;
+  int fd = -1;
 };
+
+/// What stands at `path`, if anything does. Throws Error where nothing could stand there, and for what cannot
+/// be written over.
+std::optional<struct stat> what_stands_at(const fs::path& path) {
+  struct stat existing {};
+  if (::stat(path.c_str(), &existing) != 0) {
+    if (errno == ENOENT) return std::nullopt;
+    fail_writing(path, errno);
+  }
+  if (S_ISDIR(existing.st_mode)) fail_writing(path, EISDIR);
+  if (::access(path.c_str(), W_OK) != 0) fail_writing(path, errno);
+  return existing;
+}
 
 /// The file that a symbolic link leads to, though it need not exist.
 fs::path link_target(fs::path path) {
@@ -129,19 +148,21 @@ void sync_folder(const fs::path& file) {
 
 }  // namespace
 
-void write_file_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  struct stat existing {};
-  const bool exists = ::stat(path.c_str(), &existing) == 0;
-  if (exists && S_ISDIR(existing.st_mode)) fail_writing(path, EISDIR);
-  if (exists && !S_ISREG(existing.st_mode)) return write(path);  // a pipe or device: nothing to replace
-
-  if (exists && ::access(path.c_str(), W_OK) != 0) fail_writing(path, errno);
-
+void write_file_atomically(const fs::path& path, std::string_view content) {
+  const auto existing = what_stands_at(path);
+  if (existing && !S_ISREG(existing->st_mode)) {  // a pipe or device: nothing to replace
+    const int fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (fd < 0) fail_writing(path, errno);
+    File file(fd, path);
+    file.write(content);
+    return file.close();
+  }
   const fs::path target = link_target(path);
-  TemporaryFile temporary(target, path);
-  write(temporary.path());
-  File file(temporary.path(), O_WRONLY, path);
-  if (exists) file.set_mode(existing.st_mode & 07777);
+  // What was private is so from the first byte on
+  TemporaryFile temporary(target, existing ? 0600 : 0666, path);
+  File file(temporary.file(), path);
+  file.write(content);
+  if (existing) file.take_after(*existing);
   file.sync();
   file.close();
   temporary.rename_to(target);
@@ -149,25 +170,14 @@ void write_file_atomically(const fs::path& path, const std::function<void(const 
   sweep(folder_of(target));
 }
 
-void write_file_atomically(const fs::path& path, std::string_view content) {
-  write_file_atomically(path, [&](const fs::path& name) {
-    File file(name, O_WRONLY | O_TRUNC, path);
-    file.write(content);
-    file.close();
-  });
-}
-
 void require_writable(const fs::path& path) {
-  struct stat existing {};
-  if (::stat(path.c_str(), &existing) == 0) {
-    if (S_ISDIR(existing.st_mode)) fail_writing(path, EISDIR);
-    if (::access(path.c_str(), W_OK) != 0) fail_writing(path, errno);
-    if (!S_ISREG(existing.st_mode)) return;
-  }
+  const auto existing = what_stands_at(path);
+  if (existing && !S_ISREG(existing->st_mode)) return;
   const fs::path folder = folder_of(link_target(path));
-  if (::stat(folder.c_str(), &existing) != 0) fail_writing(path, errno);
-  if (!S_ISDIR(existing.st_mode)) fail_writing(path, ENOTDIR);
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail_writing(path, errno);
+  struct stat state {};
+  if (::stat(folder.c_str(), &state) != 0) fail_writing(path, errno);
+  if (!S_ISDIR(state.st_mode)) fail_writing(path, ENOTDIR);
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail_in_folder(path, errno);
 }
 
 std::string read_file(const fs::path& path, std::size_t size_limit) {

@@ -194,6 +194,17 @@ void check_options(const ReportOptions& options) {
         fmt::format("without VOLUME, {} has scenes of its own: no preset, mode or camera", study.name));
 }
 
+/// What the config file sets for reports is left out of one that has no use for it.
+void settle_with_config(ReportOptions& options, const Options& command) {
+  const Study* study = options.study.empty() ? nullptr : &find_study(options.study);
+  if (!study || !study->takes_seed) command.leave_out({"--seed"});
+  if (study && !study->takes_budget) command.leave_out({"--budget"});
+  if (study && options.scene.volume.empty()) command.leave_out(SceneOptions::option_names());
+  options.size_is_given = command.is_given("--size");
+  options.budget_is_given = command.is_given("--budget");
+  options.seed_is_given = command.is_given("--seed");
+}
+
 std::string study_help() {
   std::string text = "A study instead of a scene's report:";
   for (const Study& study : studies()) text += fmt::format("\n{}: {}", study.name, study.summary);
@@ -239,9 +250,7 @@ void add_report_command(Options app, Action& chosen) {
   command.add_flag("--json", options->json, "Print report.json, too");
   command.add_example("crest report builtin:plume --preset fire --budget 60s -o report");
   command.when_read([options, command, &chosen] {
-    options->size_is_given = command.is_given("--size");
-    options->budget_is_given = command.is_given("--budget");
-    options->seed_is_given = command.is_given("--seed");
+    settle_with_config(*options, command);
     check_options(*options);
     options->command = command.text();
     chosen = [options] { run_report(*options); };

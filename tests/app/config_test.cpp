@@ -61,6 +61,37 @@ TEST_F(Config, TakesListsFlagsAndNumbers) {
   EXPECT_EQ(json["frame_ms_all"].size(), 1U) << "two frames, the first of which does not count";
 }
 
+TEST_F(Config, YieldsToWhatIsTypedAgainstIt) {
+  const Words render = {"render", "builtin:sphere?n=8", "--preset", "onion", "--size", "8x8"};
+  const auto draw = [&](const Words& words) {
+    const Outcome outcome = run_configured(render + words + Words{"-o", path("a.png")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  };
+  configure(R"({"render": {"exact": true, "json": true, "turntable": 3, "step": "1", "budget": "40"}})");
+  draw({"--auto"});
+  EXPECT_EQ(names(), (Words{"a.png", "crest"})) << "one picture, not a turn";
+  EXPECT_EQ(run_configured(render + Words{"-o", "-"}).out.substr(0, 4), "\x89PNG");
+  configure(R"({"render": {"auto": true, "target-error": "share=0.1", "watch": true}})");
+  draw({"--step", "1", "--watch=false"});
+  EXPECT_EQ(run_configured(render + Words{"-o", "-"}).out.substr(0, 4), "\x89PNG") << "and ends";
+  configure(R"({"json": true})");
+  EXPECT_EQ(run_configured(Words{"compare"} + Words(render.begin() + 1, render.end()) + Words{"-o", "-"})
+                .out.substr(0, 4),
+            "\x89PNG");
+  configure(R"({"render": {"exact": true}})");
+  expect_error(2, render + Words{"--auto", "--exact", "-o", path("a.png")}, {"--auto", "--exact"}, here);
+}
+
+TEST_F(Config, SetsWhatAStudyTakesAndNothingElse) {
+  configure(R"({"report": {"seed": "7", "budget": "1s", "size": "16x16"}, "preset": "onion"})");
+  const Outcome outcome = run_configured({"report", "builtin:sphere?n=8", "--json", "-o", path("r")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;  // a seed is for chance
+  EXPECT_EQ(outcome.out.find("--seed"), std::string::npos);
+  EXPECT_NE(outcome.out.find("--preset onion"), std::string::npos);
+  const Outcome study = run_configured({"report", "--study", "placement", "--budget", "x", "-o", path("s")});
+  EXPECT_EQ(study.err.find("no preset"), std::string::npos) << "it has scenes of its own: " << study.err;
+}
+
 TEST_F(Config, IsInTheCommandThatAReportTells) {
   configure(R"({"report": {"size": "16x16", "budget": "1s"}})");
   const Outcome outcome = run_configured({"report", "builtin:sphere?n=8", "--json", "-o", path("r")});
@@ -108,6 +139,8 @@ TEST_F(Pipes, OneThingForAStream) {
   expect_error(2, render + Words{"--json"}, {"--json", "standard output"});
   expect_error(2, render + Words{"--turntable", "3"}, {"--turntable", "one picture"});
   expect_error(2, render + Words{"--watch"}, {"--watch"});
+  expect_error(2, {"render", "builtin:sphere?n=8", "-o", path("a.png"), "--watch", "--preset", "-"},
+               {"--watch", "standard input"});
   expect_error(2, {"report", "builtin:sphere?n=8", "--preset", "-", "-o", path("r")},
                {"--preset", "standard input"});
   expect_error(1, render + Words{"--preset", "-"}, {"the standard input", "parse error"}, "</dev/null");

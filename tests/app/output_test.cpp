@@ -1,5 +1,8 @@
 #include <unistd.h>
 
+#include <set>
+#include <sstream>
+
 #include "program.h"
 #include "render/files/image.h"
 
@@ -38,14 +41,41 @@ TEST_F(Output, PicturesAreOfTwoKinds) {
     expect_error(1, render_to(path(name)), {name, ".png or .exr"});
 }
 
-TEST_F(Output, IsFoundWrongBeforeAnyWork) {
-  // The volume is not there either, but that is not what is told.
-  for (const char* command : {"render", "compare"}) {
-    expect_error(1, {command, path("none.nrrd"), "-o", path("a.jpg")}, {"a.jpg", ".png or .exr"});
-    expect_error(1, {command, path("none.nrrd"), "-o", path("missing/a.png")}, {"folder does not exist"});
+/// Every command that writes, with what it would read; the name of what it cannot write comes behind.
+const std::vector<Words> writers = {
+    {"render", "none.nrrd", "--preset", "none.json", "-o"},
+    {"render", "none.nrrd", "-o", "a.png", "--error-bound"},
+    {"compare", "none.nrrd", "--preset", "none.json", "-o"},
+    {"report", "none.nrrd", "--preset", "none.json", "-o"},
+    {"report", "--study", "knoll", "--data", ".", "-o"},
+    {"stability", "-o"},
+    {"info", "none.nrrd", "--by-value"},
+    {"export", "none.json", "--to", "csv", "--volume", "none.nrrd", "-o"},
+    {"export", "none.json", "--to", "csv", "--volume", "none.nrrd", "-o", "a.csv", "--preview"},
+    {"import", "none.vp.json", "--onto", "none.json", "--volume", "none.nrrd", "-o"},
+    {"window", "--preset", "none.json", "--log-frames"},
+    {"window", "--preset", "none.json", "--log-layout"},
+    {"match", "none.json", "--from", "none.nrrd", "--to", "none.nrrd", "-o"},
+};
+
+TEST_F(Output, IsFoundWrongBeforeAnythingIsRead) {
+  write("file", "");
+  for (const Words& words : writers) expect_error(1, words + Words{"file/a.png"}, {"file/a.png"});
+  for (const char* command : {"render", "compare"})
+    expect_error(1, {command, "none.nrrd", "-o", "a.jpg"}, {"a.jpg", ".png or .exr"});
+}
+
+TEST_F(Output, AllCommandsThatHaveOneAreLookedAt) {
+  std::set<std::string> with_output, looked_at;
+  std::istringstream lines(output_of({"list", "options"}));
+  std::string command;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("## crest ")) command = line.substr(9);
+    if (line.starts_with("| `-o, --output")) with_output.insert(command);
   }
-  expect_error(1, {"info", path("none.nrrd"), "--by-value", path("missing/a.csv")},
-               {"folder does not exist"});
+  for (const Words& words : writers)
+    if (words.back() == "-o") looked_at.insert(words.front());
+  EXPECT_EQ(looked_at, with_output);
 }
 
 TEST_F(Output, NoPermission) {

@@ -1,11 +1,13 @@
 #include "presets/atomic_file.h"
 
+#include <grp.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -19,7 +21,10 @@ namespace fs = std::filesystem;
 
 class AtomicFile : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder); }
+  void SetUp() override {
+    fs::create_directories(folder);
+    fs::permissions(folder, fs::perms::all);
+  }
   void TearDown() override { fs::remove_all(folder); }
 
   std::size_t files() const {
@@ -33,6 +38,33 @@ class AtomicFile : public testing::Test {
       return error.what();
     }
     return "no error";
+  }
+
+  /// The same in a process of a user who is not root.
+  template <class F>
+  std::string error_as_nobody(F&& work) {
+    if (::geteuid() != 0) return error_of(work);
+    constexpr uid_t nobody = 65534;
+    int pipe[2];
+    if (::pipe(pipe) != 0) return "no pipe";
+    const pid_t child = ::fork();
+    if (child == 0) {
+      const bool is_nobody = ::setgroups(0, nullptr) == 0 && ::setresgid(nobody, nobody, nobody) == 0 &&
+                             ::setresuid(nobody, nobody, nobody) == 0;
+      const std::string error = is_nobody ? error_of(work) : "still root";
+      ::_exit(::write(pipe[1], error.data(), error.size()) < 0);
+    }
+    ::close(pipe[1]);
+    std::string error(1000, '\0');
+    error.resize(std::size_t(std::max<ssize_t>(::read(pipe[0], error.data(), error.size()), 0)));
+    ::close(pipe[0]);
+    ::waitpid(child, nullptr, 0);
+    return error;
+  }
+  static struct stat state_of(const fs::path& file) {
+    struct stat state {};
+    ::stat(file.c_str(), &state);
+    return state;
   }
 
   fs::path folder = fs::temp_directory_path() / ("crest-atomic-" + std::to_string(::getpid()));
@@ -58,14 +90,52 @@ TEST_F(AtomicFile, KeepsThePermissionsOfWhatWasThere) {
   EXPECT_EQ(fs::status(path).permissions(), fs::perms(0640));
 }
 
+TEST_F(AtomicFile, KeepsTheGroupOfWhatWasThere) {
+  write_file_atomically(path, "a");
+  gid_t groups[64];
+  const int count = ::getgroups(64, groups);
+  const gid_t other = ::geteuid() == 0 ? 12345 : count > 0 ? groups[count - 1] : ::getegid();
+  if (other == ::getegid()) GTEST_SKIP() << "this user has one group";
+  ASSERT_EQ(::chown(path.c_str(), uid_t(-1), other), 0);
+  fs::permissions(path, fs::perms(0660));
+  write_file_atomically(path, "b");
+  EXPECT_EQ(state_of(path).st_gid, other);
+  EXPECT_EQ(fs::status(path).permissions(), fs::perms(0660));
+}
+
+TEST_F(AtomicFile, GivesAnotherGroupNoMoreThanOthersHave) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can make a file of somebody else";
+  write_file_atomically(path, "a");
+  ASSERT_EQ(::chown(path.c_str(), 12345, 12345), 0);
+  fs::permissions(path, fs::perms(0662));
+  EXPECT_EQ(error_as_nobody([&] { write_file_atomically(path, "b"); }), "no error");
+  EXPECT_EQ(read_file(path, 10), "b");
+  EXPECT_EQ(fs::status(path).permissions(), fs::perms(0622));
+}
+
 TEST_F(AtomicFile, FollowsALinkToItsTarget) {
   fs::create_directory(folder / "real");
-  fs::create_symlink("real/target.json", path);
+  fs::create_symlink("real/target.json", folder / "near");  // at first to a file that is not there
+  fs::create_symlink(folder / "near", path);
   for (const char* content : {"new", "again"}) {
     write_file_atomically(path, content);
-    EXPECT_TRUE(fs::is_symlink(path));
+    EXPECT_EQ(fs::read_symlink(path), folder / "near");
+    EXPECT_EQ(fs::read_symlink(folder / "near"), "real/target.json");
     EXPECT_EQ(read_file(folder / "real/target.json", 100), content);
   }
+  EXPECT_EQ(files(), 3u);
+}
+
+TEST_F(AtomicFile, LeavesALinkAloneThatLeadsNowhere) {
+  fs::create_symlink("none/target.json", path);
+  EXPECT_EQ(error_of([&] { write_file_atomically(path, "x"); }),
+            "cannot write " + path.string() + ": its folder does not exist");
+  fs::remove(path);
+  fs::create_symlink("preset.json", path);  // to itself
+  EXPECT_EQ(error_of([&] { write_file_atomically(path, "x"); }),
+            "cannot write " + path.string() + ": Too many levels of symbolic links");
+  EXPECT_TRUE(fs::is_symlink(path));
+  EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(AtomicFile, AFullDiskLeavesWhatWasThere) {
@@ -86,20 +156,6 @@ TEST_F(AtomicFile, AFullDiskLeavesWhatWasThere) {
             "cannot write /dev/full: No space left on device");
 }
 
-TEST_F(AtomicFile, AWriterThatFailsLeavesWhatWasThere) {
-  write_file_atomically(path, "old");
-  const auto failing = [](const fs::path& temporary) {
-    EXPECT_EQ(temporary.extension(), ".json");
-    std::ofstream(temporary) << "half";
-    throw Error("no more");
-  };
-  EXPECT_EQ(error_of([&] { write_file_atomically(path, failing); }), "no more");
-  EXPECT_EQ(read_file(path, 100), "old");
-  EXPECT_EQ(files(), 1u);
-  write_file_atomically(path, [](const fs::path& temporary) { std::ofstream(temporary) << "whole"; });
-  EXPECT_EQ(read_file(path, 100), "whole");
-}
-
 TEST_F(AtomicFile, SaysWhyItCannotWrite) {
   EXPECT_EQ(error_of([&] { write_file_atomically(folder / "no/file.json", "x"); }),
             "cannot write " + (folder / "no/file.json").string() + ": its folder does not exist");
@@ -107,12 +163,20 @@ TEST_F(AtomicFile, SaysWhyItCannotWrite) {
             "cannot write " + folder.string() + ": Is a directory");
 }
 
-TEST_F(AtomicFile, RespectsAReadOnlyFile) {
-  if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+TEST_F(AtomicFile, RespectsWhatIsReadOnly) {
   write_file_atomically(path, "old");
   fs::permissions(path, fs::perms(0444));
-  EXPECT_EQ(error_of([&] { write_file_atomically(path, "x"); }),
-            "cannot write " + path.string() + ": Permission denied");
+  const auto save = [&] { write_file_atomically(path, "x"); };
+  const auto check = [&] { require_writable(path); };
+  EXPECT_EQ(error_as_nobody(save), "cannot write " + path.string() + ": Permission denied");
+  EXPECT_EQ(error_as_nobody(check), error_as_nobody(save));
+  fs::permissions(path, fs::perms(0666));
+  fs::permissions(folder, fs::perms(0555));
+  EXPECT_EQ(error_as_nobody(save),
+            "cannot write " + path.string() + ": no file can be made in its folder: Permission denied");
+  EXPECT_EQ(error_as_nobody(check), error_as_nobody(save));
+  fs::permissions(folder, fs::perms(0755));
+  EXPECT_EQ(read_file(path, 100), "old");
 }
 
 TEST_F(AtomicFile, WritesToADeviceWithoutReplacingIt) {
