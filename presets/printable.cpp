@@ -38,9 +38,10 @@ bool is_control(std::uint32_t c) {
 }  // namespace
 
 std::string printable(std::string_view text, std::size_t longest) {
+  constexpr std::string_view dots = "...";
   std::string out;
+  std::size_t cut = 0;  // as much of it as the dots have room behind
   while (!text.empty()) {
-    if (out.size() > longest) return out + "...";
     const Character c = first_of(text);
     const std::string_view bytes = text.substr(0, c.bytes == 0 ? 1 : c.bytes);
     if (bytes == "\n" || bytes == "\t" || bytes == "\r") {
@@ -50,6 +51,8 @@ std::string printable(std::string_view text, std::size_t longest) {
     } else {
       for (const char byte : bytes) out += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
     }
+    if (out.size() > longest) return out.replace(cut, out.npos, dots);
+    if (out.size() + dots.size() <= longest) cut = out.size();
     text.remove_prefix(bytes.size());
   }
   return out;

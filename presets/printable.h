@@ -7,7 +7,8 @@ namespace crest {
 
 /// Text of any origin as a terminal, or a window, may show it, in one line: line ends and tabs are spaces;
 /// other control characters (of Unicode too: C1, and those that turn the direction), and what is no UTF-8,
-/// are written as \xNN. What is longer than `longest` bytes is cut, and ends with "...".
+/// are written as \xNN. What is longer than `longest` bytes, three at least, is cut to that, and
+/// ends with "...". What is printable stays as it is.
 std::string printable(std::string_view text, std::size_t longest = 2000);
 
 }  // namespace crest

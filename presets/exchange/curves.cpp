@@ -141,8 +141,9 @@ TransferFunction merged(const TransferFunction& colors, const TransferFunction& 
     const glm::dvec3 left = color_at(evaluate_left(colors, value)),
                      right = color_at(evaluate_right(colors, value));
     // The points of opacity at this value, of which there may be any number; where there is none, the line's
-    const auto same = std::ranges::equal_range(opacities.points, value, {}, &ControlPoint::value);
-    std::vector<ControlPoint> here(same.begin(), same.end());
+    const auto& points = opacities.points;
+    std::vector<ControlPoint> here(std::ranges::lower_bound(points, value, {}, &ControlPoint::value),
+                                   std::ranges::upper_bound(points, value, {}, &ControlPoint::value));
     if (here.empty()) here.push_back(point_at(value, right, evaluate(opacities, value).opacity));
     if (here.size() == 1 && left != right) here.push_back(here.front());
     for (std::size_t i = 0; i < here.size(); ++i) here[i].color = i + 1 == here.size() ? right : left;

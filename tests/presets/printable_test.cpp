@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
+#include "presets/error.h"
+
 namespace crest::test {
 namespace {
 
@@ -28,10 +32,23 @@ TEST(Printable, WritesOutWhatIsNoUtf8) {
   EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond Unicode
 }
 
+// what() ends at a NUL, and messages quote what is in files.
+TEST(Printable, IsAnErrorsText) { EXPECT_STREQ(Error(std::string("\0a\nb\x1b", 5)).what(), "\\x00a b\\x1b"); }
+
 TEST(Printable, IsCut) {
-  const std::string text = printable(std::string(1 << 24, 'x'), 100);
-  EXPECT_LT(text.size(), 120U);
-  EXPECT_TRUE(text.ends_with("x..."));
+  for (const std::string_view piece : {"x", "\x01", "\u00e4"}) {
+    std::string whole;
+    for (int i = 0; i < 1000; ++i) whole += piece;
+    for (const std::size_t longest : {98, 99, 100, 101, 102}) {
+      const std::string text = printable(whole, longest);
+      EXPECT_LE(text.size(), longest);
+      EXPECT_GT(text.size(), longest - 8);
+      EXPECT_TRUE(text.ends_with("..."));
+      EXPECT_EQ(printable(text, longest), text);
+    }
+  }
+  EXPECT_EQ(printable("abcd", 4), "abcd");
+  EXPECT_EQ(printable("abcde", 4), "a...");
 }
 
 }  // namespace

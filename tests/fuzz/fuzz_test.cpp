@@ -1,0 +1,61 @@
+// The targets, without a fuzzer: their seeds, and some thousand changes of them, the same in each run. What
+// libFuzzer makes of them, which takes longer, is run.sh's.
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <ostream>
+#include <random>
+
+#include <fmt/core.h>
+
+#include "presets/error.h"
+#include "presets/printable.h"
+#include "tests/fuzz/mutate.h"
+#include "tests/fuzz/target.h"
+
+namespace crest::fuzz {
+
+/// The name that ctest shows.
+void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
+
+namespace {
+
+class EveryTarget : public testing::TestWithParam<Target> {};
+
+/// What was found, if the input is one.
+std::string find_in(const Target& target, const std::string& input) {
+  try {
+    run(target, input);
+    return "";
+  } catch (const std::exception& find) {
+    return fmt::format("{}\nreading: {}", find.what(), printable(input, 4000));
+  }
+}
+
+TEST_P(EveryTarget, ReadsItsSeeds) {
+  const std::vector<std::string> seeds = GetParam().seeds();
+  EXPECT_GE(seeds.size(), 2u);
+  for (const std::string& seed : seeds) {
+    try {
+      GetParam().read(seed);
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what() << "\nreading: " << printable(seed, 4000);
+    }
+  }
+}
+
+TEST_P(EveryTarget, ReadsOrRefusesWhatIsDamaged) {
+  const std::vector<std::string> seeds = GetParam().seeds(), words = words_of(seeds);
+  std::mt19937 random(15);
+  for (int i = 0; i < GetParam().mutations; ++i) {
+    const std::string found = find_in(GetParam(), mutated(seeds, words, random));
+    ASSERT_EQ(found, "") << "mutation " << i;
+  }
+  EXPECT_EQ(find_in(GetParam(), ""), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Fuzz, EveryTarget, testing::ValuesIn(targets().begin(), targets().end()),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+}  // namespace
+}  // namespace crest::fuzz

@@ -1,0 +1,62 @@
+// Files of voxels, read by the code that the reader's program reads them with.
+#include "presets/error.h"
+#include "render/files/load.h"
+#include "render/readers/dicom_structure.h"
+#include "render/readers/readers.h"
+#include "tests/fuzz/target.h"
+#include "tests/fuzz/target_list.h"
+#include "tests/fuzz/volume_file.h"
+
+namespace crest::fuzz {
+namespace {
+
+constexpr std::size_t voxel_bytes = 480;  // as many as the seeds' grids of the largest type take
+
+template <FileForm form>
+void read_file(std::string_view name, std::string_view input) {
+  read_volume(write_scratch(name, input),
+              [](const FileRequest& request) { return read_voxel_file(form, request); });
+}
+
+/// Voxels for the headers whose seeds name this file.
+void write_voxels(std::string_view name) { write_scratch(name, std::string(voxel_bytes, 'v')); }
+
+}  // namespace
+
+void read_nrrd(std::string_view input) { read_file<FileForm::nrrd>("volume.nrrd", input); }
+void read_nhdr(std::string_view input) {
+  write_voxels("voxels.raw");
+  read_file<FileForm::nrrd>("volume.nhdr", input);
+}
+void read_mha(std::string_view input) { read_file<FileForm::metaimage>("volume.mha", input); }
+void read_mhd(std::string_view input) {
+  write_voxels("voxels.raw");
+  read_file<FileForm::metaimage>("volume.mhd", input);
+}
+void read_nifti(std::string_view input) { read_file<FileForm::nifti>("volume.nii", input); }
+void read_analyze(std::string_view input) {
+  write_voxels("pair.img");
+  read_file<FileForm::nifti>("pair.hdr", input);
+}
+void read_mrc(std::string_view input) { read_file<FileForm::mrc>("volume.mrc", input); }
+void read_vtk_file(std::string_view input) { read_file<FileForm::vtk>("volume.vtk", input); }
+void read_vti_file(std::string_view input) { read_file<FileForm::vti>("volume.vti", input); }
+void read_npy(std::string_view input) { read_file<FileForm::npy>("volume.npy", input); }
+
+void read_raw_sidecar(std::string_view input) {
+  const std::size_t end = std::min(input.find('\n'), input.size());
+  write_scratch("volume.raw.json", input.substr(std::min(end + 1, input.size())));
+  constexpr std::uint64_t memory = 16 << 20;
+  const std::string source =
+      write_scratch("volume.raw", std::string(voxel_bytes, 'v')) + "?" + std::string(input.substr(0, end));
+  const Volume volume =
+      load_volume(source, {.memory = memory, .asks = false, .stop = {}, .reader = {}, .patience = {}});
+  require(volume.values.size() == volume.grid.point_count(), "there is a value for each point");
+}
+
+void read_dicom(std::string_view input) {
+  const DicomStructure structure = read_dicom_structure(write_scratch("image.dcm", input));
+  require(structure.pixel_bytes.value_or(0) <= input.size(), "pixels lie in the file");
+}
+
+}  // namespace crest::fuzz
