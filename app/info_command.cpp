@@ -7,6 +7,7 @@
 #include "presets/json_text.h"
 #include "render/files/load.h"
 #include "render/volume/by_value.h"
+#include "render/volume/orientation.h"
 #include "render/volume/suggested_peaks.h"
 
 namespace crest {
@@ -51,6 +52,8 @@ void print_info(const InfoOptions& options) {
   json["spacing"] = triple(volume.grid.spacing);
   json["origin"] = triple(volume.grid.origin);
   for (int column = 0; column < 3; ++column) json["direction"].push_back(triple(volume.direction[column]));
+  if (const auto axes = anatomical_axes(volume))
+    for (const AxisEnds& ends : *axes) json["axes"].push_back(fmt::format("{} to {}", ends.from, ends.to));
   json["range"] = {statistics.range.min, statistics.range.max};
   json["mean"] = statistics.mean;
   json["standard_deviation"] = std::sqrt(statistics.variance);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/volume/orientation.h"
 #include "render/volume/probe.h"
 #include "ui/edit_points.h"
 #include "ui/edit_shown.h"
@@ -19,8 +20,35 @@ namespace crest {
 namespace {
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
-constexpr const char* slice_names[] = {"Sagittal", "Coronal", "Axial"};
 constexpr std::array<int, slice_count> order{2, 1, 0};  // the axial one first
+
+/// Of the slice across an axis: "Axial, "; empty where nothing is known of a patient.
+const char* anatomical_name(const Volume& volume, int axis) {
+  const auto patient = anatomical_axes(volume);
+  if (!patient) return "";
+  const char from = (*patient)[std::size_t(axis)].from;
+  return from == 'R' || from == 'L' ? "Sagittal, " : from == 'A' || from == 'P' ? "Coronal, " : "Axial, ";
+}
+
+/// Where left and right, front and back, head and feet are, at the sides of a slice.
+void draw_sides(ImDrawList& list, ImVec2 low, ImVec2 size, const Volume& volume, int axis) {
+  const auto patient = anatomical_axes(volume);
+  if (!patient) return;
+  const glm::ivec2 axes = slice_axes(axis);
+  const AxisEnds right = (*patient)[std::size_t(axes.x)], up = (*patient)[std::size_t(axes.y)];
+  const ImVec2 middle{low.x + size.x / 2, low.y + size.y / 2};
+  const float inset = 0.7F * ImGui::GetFontSize();
+  const auto write = [&](char letter, ImVec2 at) {
+    const char text[2] = {letter, 0};
+    const ImVec2 half = ImGui::CalcTextSize(text);
+    list.AddText({at.x - half.x / 2 + 1, at.y - half.y / 2 + 1}, IM_COL32_BLACK, text);
+    list.AddText({at.x - half.x / 2, at.y - half.y / 2}, IM_COL32_WHITE, text);
+  };
+  write(right.from, {low.x + inset, middle.y});
+  write(right.to, {low.x + size.x - inset, middle.y});
+  write(up.to, {middle.x, low.y + inset});
+  write(up.from, {middle.x, low.y + size.y - inset});
+}
 
 /// The largest rectangle of the slice's shape in `room`.
 ImVec2 fitted_in(ImVec2 room, const Grid& grid, int axis) {
@@ -53,7 +81,8 @@ void slice_view(StudioState& state, const StudioInputs& inputs, SlicesWanted& wa
   glm::dvec3& cursor = state.slice_cursor;
   const double place = grid.origin[axis] + cursor[axis] * grid.box_size()[axis];
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::TextDisabled("%s, %s = %s", slice_names[axis], axis_names[axis], short_text(place).c_str());
+  ImGui::TextDisabled("%s%s = %s", anatomical_name(*inputs.volume, axis), axis_names[axis],
+                      short_text(place).c_str());
   room.y -= ImGui::GetCursorScreenPos().y - corner.y;
   const ImVec2 size = fitted_in({std::max(room.x, 8.0F), std::max(room.y, 8.0F)}, grid, axis);
   wanted.pixels[std::size_t(axis)] = {int(size.x), int(size.y)};
@@ -75,6 +104,7 @@ void slice_view(StudioState& state, const StudioInputs& inputs, SlicesWanted& wa
   if (const std::uintptr_t texture = inputs.slices[std::size_t(axis)])
     list.AddImage(reinterpret_cast<ImTextureID>(texture), low, high);
   draw_cross(list, low, size, cursor, axis);
+  draw_sides(list, low, size, *inputs.volume, axis);
   list.AddRect(low, high, palette().frame);
 }
 

@@ -91,7 +91,7 @@ void picture(int index, StudioState& state, const StudioInputs& inputs, const Ca
   else
     list.AddRectFilled(low, high, palette().plot);
   list.PushClipRect(low, high, true);
-  if (inputs.volume && state.views.outline) draw_outline(list, camera, inputs.volume->grid, low, size);
+  if (inputs.volume && state.views.outline) draw_outline(list, camera, *inputs.volume, low, size);
   if (!inputs.volume) {
     const char* hint =
         inputs.loading.empty() ? "Volume > Open, or drop a file here" : "Reading the volume ...";

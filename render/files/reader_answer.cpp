@@ -32,11 +32,9 @@ glm::dvec3 vector_from(const Json& json) {
 }  // namespace
 
 Json volume_to_json(const Volume& volume) {
-  Json json{{"dims", triple(volume.grid.dims)},
-            {"spacing", triple(volume.grid.spacing)},
-            {"origin", triple(volume.grid.origin)},
-            {"type", int(volume.file_type)},
-            {"note", volume.note}};
+  Json json{{"dims", triple(volume.grid.dims)},     {"spacing", triple(volume.grid.spacing)},
+            {"origin", triple(volume.grid.origin)}, {"type", int(volume.file_type)},
+            {"in_patient", volume.is_in_patient},   {"note", volume.note}};
   for (int column = 0; column < 3; ++column) json["direction"].push_back(triple(volume.direction[column]));
   return json;
 }
@@ -50,6 +48,7 @@ Volume volume_from_json(const Json& json) {
     volume.direction[axis] = vector_from(json.at("direction").at(std::size_t(axis)));
     if (volume.grid.dims[axis] < 2 || volume.grid.spacing[axis] <= 0) throw Error("a grid that is none");
   }
+  volume.is_in_patient = json.at("in_patient").get<bool>();
   const int type = integer(json.at("type"));
   if (type < 0 || type > int(ScalarType::float16)) throw Error("a type that is none");
   volume.file_type = ScalarType(type);

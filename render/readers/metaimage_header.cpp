@@ -168,6 +168,9 @@ void take_geometry(const std::string& name, const MetaText& text, std::size_t ax
     for (std::size_t row = 0; row < 3 && !direction.empty(); ++row)
       header.direction[int(a)][int(row)] = direction[a * axes + row];
   }
+  const auto anatomy = text.fields.find("AnatomicalOrientation");
+  header.is_in_patient =
+      !direction.empty() && anatomy != text.fields.end() && anatomy->second.find('?') == std::string::npos;
 }
 
 void take_data(const std::string& name, const fs::path& path, const MetaText& text, VoxelHeader& header) {

@@ -160,6 +160,7 @@ void take_geometry(const Nifti& n, VoxelHeader& header) {
   const double millimetres = units == metres ? 1e3 : units == micrometres ? 1e-3 : 1;
   for (int i = 0; i < 3; ++i) header.spacing[i] = std::abs(n.pixdim[i + 1]) * millimetres;
   const glm::dvec3 to_lps(-1, -1, 1);
+  header.is_in_patient = n.sform > 0 || n.qform > 0;
   if (n.sform > 0) {
     for (int column = 0; column < 3; ++column) {
       const glm::dvec3 vector(n.rows[0][column], n.rows[1][column], n.rows[2][column]);

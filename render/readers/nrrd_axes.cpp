@@ -191,12 +191,16 @@ void take_layout(const std::vector<Axis>& axes, VoxelHeader& header) {
   }
 }
 
-/// Patient coordinates as DICOM has them, to the left, the back and the head; other spaces are kept.
-glm::dvec3 to_lps(const std::string& space) {
+/// From a patient's coordinates to those that DICOM has, to the left, the back and the head; nothing for
+/// other spaces.
+std::optional<glm::dvec3> to_lps(const std::string& space) {
   const std::string name = lower(space);
-  if (name.starts_with("right-anterior-superior") || name == "ras" || name == "rast") return {-1, -1, 1};
-  if (name.starts_with("left-anterior-superior") || name == "las" || name == "last") return {1, -1, 1};
-  return {1, 1, 1};
+  if (name.starts_with("right-anterior-superior") || name == "ras" || name == "rast")
+    return glm::dvec3(-1, -1, 1);
+  if (name.starts_with("left-anterior-superior") || name == "las" || name == "last")
+    return glm::dvec3(1, -1, 1);
+  if (name.starts_with("left-posterior-superior") || name == "lps" || name == "lpst") return glm::dvec3(1);
+  return std::nullopt;
 }
 
 glm::dvec3 first_three(const std::vector<double>& v) {
@@ -227,7 +231,9 @@ void take_nrrd_axes(const std::string& name, const NrrdFields& fields, VoxelHead
   find_roles(name, directions != nullptr, axes);
   take_layout(axes, header);
   const std::string* space = find(fields, "space");
-  const glm::dvec3 flips = to_lps(space ? *space : "");
+  const std::optional<glm::dvec3> patient = to_lps(space ? *space : "");
+  const glm::dvec3 flips = patient.value_or(glm::dvec3(1));
+  header.is_in_patient = patient && directions;
   int column = 0;
   for (const Axis& axis : axes)
     if (axis.role == Role::space) take_axis_geometry(axis, column++, flips, header);

@@ -34,6 +34,7 @@ struct VoxelHeader {
   LinearMap scaling;                         ///< from the stored values to the volume's
   glm::dvec3 spacing{1}, origin{0};          ///< as repair_geometry() takes them: 0 and NaN may be there
   glm::dmat3 direction{1};                   ///< of the axes, as columns
+  bool is_in_patient = false;                ///< as Volume has it
   std::vector<std::string> component_names;  ///< where they have some: "red"
   std::string note;
 };

@@ -120,6 +120,7 @@ Volume read_voxels(const FileRequest& request, const VoxelHeader& header, const 
   volume.file_type = header.type;
   volume.grid = {glm::ivec3(layout.dims), header.spacing, header.origin};
   volume.direction = header.direction;
+  volume.is_in_patient = header.is_in_patient;
   add_note(volume.note, orientation_note(header.direction));
 
   const LinearMap map = subtracted(request, header.scaling, volume.note);

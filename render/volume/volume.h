@@ -64,7 +64,9 @@ struct Volume {
   VolumeStatistics statistics;
   ScalarType file_type = ScalarType::float32;
   glm::dmat3 direction{1};  ///< the file's direction cosines, as columns: kept and shown, not applied
-  std::string name;         ///< short, for titles
+  /// Whether that is in a patient's coordinates, as DICOM has them: to the left, the back and the head.
+  bool is_in_patient = false;
+  std::string name;  ///< short, for titles
   VolumeFile file;
   std::string note;  ///< what reading it took, e.g. "first of 3 components"; or empty
 

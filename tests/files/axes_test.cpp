@@ -5,6 +5,7 @@
 
 #include "files.h"
 #include "render/files/load.h"
+#include "render/volume/orientation.h"
 
 namespace crest::test {
 namespace {
@@ -116,6 +117,8 @@ TEST_F(Axes, OfNiftiWithoutSpacingHaveTheSforms) {
   bytes[254] = 1;
   const Volume volume = load_volume(write("a.nii", bytes + voxel_bytes(uint8, endian::little)));
   EXPECT_EQ(volume.grid.spacing, glm::dvec3(0.5, 2, 4));
+  EXPECT_TRUE(volume.is_in_patient);
+  EXPECT_EQ((*anatomical_axes(volume))[0], (AxisEnds{'L', 'R'}));  // NIfTI's x goes to the right
 }
 
 TEST_F(Axes, OfNrrdNeedNoKinds) {
@@ -136,7 +139,9 @@ TEST_F(Axes, OfNrrdNeedNoKinds) {
                                                   "space directions: (1,0,0) (0,2,0) (0,0,3) none\n\n" +
                                                   numbers);
   expect_error(last, {"2 frames"});
-  EXPECT_EQ(load_volume(last + "?frame=1").values[5], 65.f);
+  const Volume timed = load_volume(last + "?frame=1");
+  EXPECT_EQ(timed.values[5], 65.f);
+  EXPECT_EQ((*anatomical_axes(timed))[1], (AxisEnds{'A', 'P'}));
   std::string bare = nrrd(int16, endian::little).content;
   bare.erase(bare.find("endian: little\n"), 15);
   expect_error(write("bare.nrrd", bare), {"no \"endian\"", "int16"});

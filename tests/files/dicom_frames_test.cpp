@@ -79,6 +79,7 @@ TEST_F(DicomFrames, EachHasItsPlaceAndScale) {
     EXPECT_LT(glm::distance(volume.grid.spacing, glm::dvec3(1, 2, 2.5)), 1e-9);
     EXPECT_LT(glm::distance(volume.grid.origin, glm::dvec3(10, 20, 30)), 1e-9);
     EXPECT_EQ(volume.direction, glm::dmat3(glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0)));
+    EXPECT_TRUE(volume.is_in_patient);
     for (int f = 0; f < 4; ++f)
       for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 4; ++i)
