@@ -32,8 +32,13 @@ const Module& load(const char* file, const char* entry) {
 
 std::filesystem::path reader_program() { return render_folder() / "crest-reader"; }
 
-const DicomModule& dicom_module() {
-  static const DicomModule& module = load<DicomModule>("libcrest_dicom_files.so", "crest_dicom_module");
+const VolumeModule& dicom_module() {
+  static const auto& module = load<VolumeModule>("libcrest_dicom_files.so", "crest_dicom_module");
+  return module;
+}
+
+const VolumeModule& page_module() {
+  static const auto& module = load<VolumeModule>("libcrest_page_files.so", "crest_page_module");
   return module;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,21 +35,24 @@ inline constexpr std::array<std::string_view, 13> file_form_names{
     "dicom_file", "dicom_series", "image_pages", "image_folder", "picture", "picture_preset"};
 
 // GDCM brings some 20 libraries, and OpenImageIO 260, which take a fifth of a second to load. Each lies in a
-// module of its own (render/readers), which is loaded when it is first asked for. Only the reader's program
-// (render/reader) reads with them, since a damaged file may take them down; the program itself writes
-// pictures. The other forms are read by code in the reader's program.
+// module of its own (render/readers), as do the small libraries of TIFF, PNG and JPEG; it is loaded when it
+// is first asked for. Only the reader's program (render/reader) reads with them, since a damaged file may
+// take them down; the program itself writes pictures. The other forms are read by code in the reader's
+// program.
 
-/// GDCM's.
-struct DicomModule {
+/// GDCM's, or that of images as pages: libtiff's, libpng's and libjpeg's.
+struct VolumeModule {
   /// Of a file, or of a folder: fills the grid, the values, the file's type, the direction and the note.
   /// Throws Error.
   Volume (*read)(FileForm form, const FileRequest& request);
 };
 
-/// OpenImageIO's, libtiff's and libpng's.
+class PageFile;
+
+/// OpenImageIO's.
 struct ImageModule {
-  /// As DicomModule: of pages, or of a folder.
-  Volume (*read)(FileForm form, const FileRequest& request);
+  /// An image of another kind than the page module's own.
+  std::unique_ptr<PageFile> (*open_pages)(const std::filesystem::path& path);
   std::string (*preset_in_picture)(const std::filesystem::path& path);
   Image (*read_image)(const std::filesystem::path& path);
 
@@ -60,8 +64,9 @@ struct ImageModule {
                                 const std::string& preset);
 };
 
-/// Both throw Error when it cannot be loaded. Any thread may ask.
-const DicomModule& dicom_module();
+/// Each throws Error when it cannot be loaded. Any thread may ask.
+const VolumeModule& dicom_module();
+const VolumeModule& page_module();
 const ImageModule& image_module();
 
 }  // namespace crest

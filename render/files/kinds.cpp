@@ -19,10 +19,15 @@ bool is_dicom(const fs::path& path) {
 }
 
 bool is_image(const fs::path& path) {
-  constexpr std::string_view extensions[] = {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp", ".exr",
-                                             ".pgm", ".pbm", ".pnm",  ".ppm", ".tga",  ".jp2", ".webp"};
+  constexpr std::string_view others[] = {".bmp", ".exr", ".tga", ".jp2", ".webp"};
   return fs::is_regular_file(path) && !path.filename().string().starts_with('.') &&
-         std::ranges::find(extensions, extension_of(path)) != std::end(extensions);
+         (is_plain_image(path) || std::ranges::find(others, extension_of(path)) != std::end(others));
+}
+
+bool is_plain_image(const fs::path& path) {
+  constexpr std::string_view extensions[] = {".png", ".tif", ".tiff", ".jpg", ".jpeg",
+                                             ".pgm", ".pbm", ".pnm",  ".ppm"};
+  return std::ranges::find(extensions, extension_of(path)) != std::end(extensions);
 }
 
 }  // namespace crest

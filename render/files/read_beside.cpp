@@ -23,11 +23,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// The library that reads such a file, where it is none of ours; or nothing.
+std::string_view library_of(FileForm form) {
+  if (form == FileForm::dicom_file || form == FileForm::dicom_series) return "GDCM";
+  return form >= FileForm::picture ? "OpenImageIO" : "";
+}
+
 /// A reader at work, and what it has told.
 class Reader {
  public:
   Reader(FileForm form, const FileRequest& request)
-      : request_(request), process_(request.reading.reader, words(form, request)) {}
+      : request_(request),
+        library_(library_of(form)),
+        process_(request.reading.reader, words(form, request)) {}
 
   /// The last line, which holds `key`; after it come the floats. Throws Error.
   Json head(std::string_view key) {
@@ -83,7 +91,10 @@ class Reader {
     if (signal == SIGPROF || signal == SIGXCPU)
       fail(fmt::format("it took longer than {:.0f} s of processor time", seconds_));
     if (signal == SIGKILL) fail("it was killed, maybe for want of memory");
-    fail(fmt::format("signal {}, {}", signal, sigdescr_np(signal)));
+    const std::string what = fmt::format("signal {}, {}", signal, sigdescr_np(signal));
+    if (library_.empty()) fail(what);
+    fail(fmt::format("{0} ended: {1}; the file is damaged, or of a kind that {0} cannot read", library_,
+                     what));
   }
 
   Json parse(const std::string& line) {
@@ -185,6 +196,7 @@ class Reader {
   }
 
   const FileRequest& request_;
+  std::string_view library_;
   ReaderProcess process_;
   Clock::time_point begin_ = Clock::now(), deadline_ = begin_ + request_.reading.patience;
   double seconds_ = 0;  ///< of processor time, which it may take

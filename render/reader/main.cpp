@@ -19,6 +19,7 @@
 #include "presets/printable.h"
 #include "render/files/file_modules.h"
 #include "render/files/geometry.h"
+#include "render/files/kinds.h"
 #include "render/files/reader_answer.h"
 #include "render/reader/confine.h"
 #include "render/reader/limits.h"
@@ -91,7 +92,18 @@ Task task_of(std::span<char*> words) {
 }
 
 bool is_dicom_form(FileForm form) { return form == FileForm::dicom_file || form == FileForm::dicom_series; }
-bool needs_images(FileForm form) { return form >= FileForm::image_pages; }
+bool is_page_form(FileForm form) { return form == FileForm::image_pages || form == FileForm::image_folder; }
+
+/// Whether OpenImageIO reads the file, or one of the folder's.
+bool needs_openimageio(const Task& task) {
+  if (task.form > FileForm::image_folder) return true;
+  if (task.form == FileForm::image_pages) return !is_plain_image(task.request.path);
+  if (task.form != FileForm::image_folder) return false;
+  const std::filesystem::directory_iterator entries(task.request.path);
+  return std::any_of(begin(entries), end(entries), [](const auto& entry) {
+    return is_image(entry.path()) && !is_plain_image(entry.path());
+  });
+}
 
 void answer_volume(const Answer& answer, Volume volume) {
   repair_geometry(volume);
@@ -108,8 +120,8 @@ void answer_task(const Answer& answer, const Task& task) {
     answer.values({reinterpret_cast<const float*>(image.pixels.data()), image.pixels.size() * 4});
   } else if (task.form == FileForm::picture_preset) {
     answer.line({{"preset", image_module().preset_in_picture(path)}});
-  } else if (needs_images(task.form)) {
-    answer_volume(answer, image_module().read(task.form, task.request));
+  } else if (is_page_form(task.form)) {
+    answer_volume(answer, page_module().read(task.form, task.request));
   } else if (is_dicom_form(task.form)) {
     answer_volume(answer, dicom_module().read(task.form, task.request));
   } else {
@@ -120,7 +132,8 @@ void answer_task(const Answer& answer, const Task& task) {
 void run(const Answer& answer, std::span<char*> words) {
   Task task = task_of(words);
   // With the libraries in memory, what they take from here on is the file's.
-  if (needs_images(task.form)) image_module();
+  if (is_page_form(task.form)) page_module();
+  if (needs_openimageio(task)) image_module();
   if (is_dicom_form(task.form)) dicom_module();
   const Limits limits;
   const auto expect = [&](std::uint64_t bytes) {

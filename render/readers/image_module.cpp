@@ -2,16 +2,13 @@
 
 #include "render/files/file_modules.h"
 #include "render/readers/image_files.h"
-#include "render/readers/readers.h"
+#include "render/readers/page_file.h"
 
 namespace crest {
 namespace {
 
-Volume read(FileForm form, const FileRequest& request) {
-  return form == FileForm::image_pages ? read_image_pages(request) : read_image_folder(request);
-}
-
-constexpr ImageModule module{read, preset_in_picture_file, read_image_file, encode_rgb8, encode_rgba32f};
+constexpr ImageModule module{open_other_image, preset_in_picture_file, read_image_file, encode_rgb8,
+                             encode_rgba32f};
 
 }  // namespace
 }  // namespace crest

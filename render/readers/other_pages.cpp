@@ -7,7 +7,6 @@
 #include "render/files/file_request.h"
 #include "render/files/header_text.h"
 #include "render/readers/page_file.h"
-#include "render/readers/whole_jpeg.h"
 
 namespace crest {
 namespace {
@@ -100,8 +99,6 @@ class OtherFile : public PageFile {
   std::size_t pages() override { return 1; }
   PageFormat format(std::size_t) override { return format_; }
   void read(std::size_t page, std::span<std::byte> out) override {
-    if (const std::string extension = extension_of(file_); extension == ".jpg" || extension == ".jpeg")
-      require_whole_jpeg(file_);
     if (!input_->read_image(0, 0, 0, int(format_.channels), input_->spec().format, out.data()))
       throw Error(page_fault(file_, page, one_line(input_->geterror())));
     if (bits_ == 0 || bits_ >= 8 * size_of(format_.type)) return;

@@ -1,22 +1,18 @@
 #include "render/readers/page_file.h"
 
-#include <fmt/core.h>
-
+#include "render/files/file_modules.h"
 #include "render/files/file_request.h"
+#include "render/files/kinds.h"
 
 namespace crest {
 
 std::unique_ptr<PageFile> open_pages(const std::filesystem::path& file) {
+  if (!is_plain_image(file)) return image_module().open_pages(file);
   const std::string extension = extension_of(file);
   if (extension == ".tif" || extension == ".tiff") return open_tiff(file);
   if (extension == ".png") return open_png(file);
-  if (extension == ".pgm" || extension == ".ppm" || extension == ".pnm" || extension == ".pbm")
-    return open_pnm(file);
-  return open_other_image(file);
-}
-
-std::string page_fault(const std::filesystem::path& file, std::size_t page, const std::string& what) {
-  return fmt::format("{}: page {} could not be read: {}", file.string(), page + 1, what);
+  if (extension == ".jpg" || extension == ".jpeg") return open_jpeg(file);
+  return open_pnm(file);
 }
 
 }  // namespace crest

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/core.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -34,16 +36,20 @@ class PageFile {
   virtual void read(std::size_t page, std::span<std::byte> out) = 0;
 };
 
-/// By the file's extension. Throws Error for what is no such image.
+/// By the file's extension; what is no is_plain_image() is OpenImageIO's. Throws Error for what is no such
+/// image.
 std::unique_ptr<PageFile> open_pages(const std::filesystem::path& file);
 
 // What reads the kinds of them; each as open_pages().
 std::unique_ptr<PageFile> open_tiff(const std::filesystem::path& file);
 std::unique_ptr<PageFile> open_png(const std::filesystem::path& file);
 std::unique_ptr<PageFile> open_pnm(const std::filesystem::path& file);
+std::unique_ptr<PageFile> open_jpeg(const std::filesystem::path& file);
 std::unique_ptr<PageFile> open_other_image(const std::filesystem::path& file);
 
 /// The message of an Error about one page, counted from 0.
-std::string page_fault(const std::filesystem::path& file, std::size_t page, const std::string& what);
+inline std::string page_fault(const std::filesystem::path& file, std::size_t page, const std::string& what) {
+  return fmt::format("{}: page {} could not be read: {}", file.string(), page + 1, what);
+}
 
 }  // namespace crest

@@ -28,8 +28,9 @@ class FailingReader : public FileTest {
     reading.patience = patience;
     return error_of(what, reading);
   }
-  std::string error_of(const std::string& what, const Reading& reading) const {
-    const std::string file = write("v.nrrd", "the reader does not read it");
+  std::string error_of(const std::string& what, const Reading& reading,
+                       const std::string& name = "v.nrrd") const {
+    const std::string file = write(name, "the reader does not read it");
     try {
       load_volume(file + "?do=" + what, reading);
     } catch (const Error& error) {
@@ -47,6 +48,11 @@ TEST_F(FailingReader, ItsEndIsAnError) {
 #ifndef __SANITIZE_ADDRESS__  // which makes it exit code 1
   EXPECT_EQ(error_of("crash"), "its reader failed (signal 11, Segmentation fault)");
 #endif
+  Reading reading;
+  reading.reader = bad_reader_program();
+  EXPECT_EQ(error_of("abort", reading, "v.dcm"),
+            "its reader failed (GDCM ended: signal 6, Aborted; the file is damaged, or of a kind that GDCM "
+            "cannot read)");
   EXPECT_EQ(error_of("leave"), "its reader failed (exit code 7)");
   EXPECT_EQ(error_of("nothing"), "its reader failed (it ended before its answer did)");
 }

@@ -8,12 +8,13 @@
 
 #include "presets/error.h"
 #include "render/files/file_modules.h"
+#include "render/readers/page_file.h"
 
 namespace crest {
 namespace {
 
-Volume read_volume(FileForm, const FileRequest& request) {
-  throw Error(fmt::format("{}: this bundle reads builtin: and RAW volumes alone", request.name()));
+std::unique_ptr<PageFile> open_pages(const std::filesystem::path& path) {
+  throw Error(fmt::format("{}: this bundle reads builtin: and RAW volumes alone", path.string()));
 }
 std::string encode_rgb8(const std::filesystem::path& path, glm::ivec2 size, const void* pixels,
                         const std::string&) {
@@ -46,7 +47,7 @@ Image read_image(const std::filesystem::path& path) {
   return image;
 }
 
-constexpr ImageModule module{read_volume, preset_in_picture, read_image, encode_rgb8, encode_rgba32f};
+constexpr ImageModule module{open_pages, preset_in_picture, read_image, encode_rgb8, encode_rgba32f};
 
 }  // namespace
 }  // namespace crest
