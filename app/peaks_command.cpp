@@ -1,20 +1,25 @@
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "app/commands.h"
 #include "app/sources.h"
+#include "presets/error.h"
 #include "presets/json.h"
 #include "presets/preset_file.h"
 #include "render/classify/classification.h"
 #include "render/classify/peak_table.h"
 #include "render/files/load.h"
 #include "render/volume/filter_bounds.h"
+#include "render/volume/thinned.h"
 
 namespace crest {
 namespace {
 
 struct PeaksOptions {
   std::string preset, volume;
-  int bins = 0;  ///< 0: as the preset says
+  int bins = 0;     ///< 0: as the preset says
+  int thinned = 0;  ///< 0: nobody asked
   bool json = true;
 };
 
@@ -54,20 +59,33 @@ void print_table(const PeakTable& table, const std::vector<Peak>& surfaces) {
   fmt::print("\n    ]\n  }}\n");
 }
 
+/// What every n-th point would leave of each peak's surface; null where there is none.
+void add_surface_left(const Volume& volume, int stride, const std::vector<Peak>& peaks,
+                      nlohmann::ordered_json& json) {
+  std::vector<double> values;
+  for (const Peak& peak : peaks) values.push_back(peak.value);
+  const auto left = surface_left(volume, stride, values);
+  for (std::size_t i = 0; i < left.size(); ++i)
+    json[i]["surface_left"] = left[i] ? nlohmann::ordered_json(*left[i]) : nlohmann::ordered_json();
+}
+
 void print_peaks(const PeaksOptions& options) {
   const Preset preset = load_preset(options.preset);
   TransferFunction tf = preset.transfer_function;
   ValueRange range = tf.range();
+  std::optional<Volume> volume;
+  if (options.thinned > 0 && options.volume.empty()) throw Error("--thinned needs a --volume");
   if (!options.volume.empty()) {
-    const Volume volume = load_volume(options.volume);
-    range = volume.statistics.range;
-    tf = resolve(tf, range, volume.grid.smallest_spacing());
+    volume = load_volume(options.volume);
+    range = volume->statistics.range;
+    tf = resolve(tf, range, volume->grid.smallest_spacing());
     range = field_range(root_filter(preset.rendering), range);
   }
   const int bins = options.bins > 0 ? options.bins : preset.rendering.peak_bins;
   const Classification found = classify(tf, range);
   auto peaks = nlohmann::ordered_json::array();
   for (const Peak& peak : found.peaks) peaks.push_back(peak_json(peak));
+  if (options.thinned > 0) add_surface_left(*volume, options.thinned, found.peaks, peaks);
   const PeakTable table =
       build_peak_table(found.surfaces, range, bins);  // before anything is printed: it has a limit
   fmt::print("{{\n  \"peaks\": {},\n", peaks.dump());
@@ -87,6 +105,10 @@ void add_peaks_command(Options app, Action& chosen) {
       .type_name("VOLUME")
       .offers(builtin_sources());
   command.add("--bins", options->bins, "Bins of the table; without it as the preset says").in(1, 4096);
+  command
+      .add("--thinned", options->thinned,
+           "Add how much of each peak's surface every N-th point of the volume would leave (?stride=N)")
+      .in(2, 64);
   command.add_flag("--json", options->json, "JSON is the only form there is");
   command.add_example("crest peaks four-peaks --volume builtin:gyroid --bins 64");
   command.when_read([options, &chosen] { chosen = [options] { print_peaks(*options); }; });

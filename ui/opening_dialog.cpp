@@ -8,6 +8,7 @@
 
 #include "ui/navigation.h"
 #include "ui/number_field.h"
+#include "ui/part_form.h"
 #include "ui/questions.h"
 #include "ui/raw_form.h"
 #include "ui/style.h"
@@ -21,9 +22,9 @@ constexpr int most_rows = 64;  ///< of a list; more have a slider
 std::string title_of(const OpenChoice& choice) {
   const std::filesystem::path path = choice.path;
   const std::string name = (path.has_filename() ? path : path.parent_path()).filename().string();
-  return choice.kind == ChoiceKind::raw_layout
-             ? fmt::format("What is in {}?###opening", name)
-             : fmt::format("Which {} of {}?###opening", key_of(choice.kind), name);
+  if (choice.kind == ChoiceKind::raw_layout) return fmt::format("What is in {}?###opening", name);
+  if (choice.kind == ChoiceKind::part) return fmt::format("{} is too large###opening", name);
+  return fmt::format("Which {} of {}?###opening", key_of(choice.kind), name);
 }
 
 std::string text_of(const OpenChoice& choice, int i) {
@@ -95,6 +96,15 @@ void begin(OpeningState& opening, const Opening& asked) {
   opening = {};
   opening.about = choice;
   if (choice.kind == ChoiceKind::raw_layout) begin_raw_form(opening, asked);
+  if (choice.kind == ChoiceKind::part) begin_part_form(opening, choice);
+}
+
+/// What the form says, as a source.
+std::string chosen_source_of(const OpeningState& opening, const OpenChoice& choice) {
+  if (choice.kind == ChoiceKind::raw_layout)
+    return source_of(choice.path, query_of(opening.layout, choice.query));
+  if (choice.kind == ChoiceKind::part) return source_with_part(opening, choice);
+  return chosen_source(choice, std::uint64_t(opening.chosen));
 }
 
 }  // namespace
@@ -113,9 +123,13 @@ void opening_dialog(StudioState& state, const StudioInputs& inputs, StudioReques
   if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
                               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize))
     return;
-  const bool is_raw = choice.kind == ChoiceKind::raw_layout;
-  bool opens = is_raw ? false : options(state, choice);
-  const bool can_open = is_raw ? raw_form(state, *inputs.opening, requests) : true;
+  bool opens = false, can_open = true;
+  if (choice.kind == ChoiceKind::raw_layout)
+    can_open = raw_form(state, *inputs.opening, requests);
+  else if (choice.kind == ChoiceKind::part)
+    can_open = part_form(state, choice);
+  else
+    opens = options(state, choice);
   ImGui::Spacing();
   ImGui::BeginDisabled(!can_open);
   opens |= default_button("Open##chosen", {scaled(104), 0});
@@ -125,8 +139,7 @@ void opening_dialog(StudioState& state, const StudioInputs& inputs, StudioReques
   const bool closes = ImGui::Button("Cancel##opening", {scaled(104), 0});
   note_item(state.widgets, "cancel opening");
   if (opens && can_open)
-    requests.open_volume = is_raw ? source_of(choice.path, query_of(opening.layout, choice.query))
-                                  : chosen_source(choice, std::uint64_t(opening.chosen));
+    requests.open_volume = chosen_source_of(opening, choice);
   else if (closes || escape_pressed(state.widgets))
     requests.cancel_opening = true;
   if (requests.open_volume || requests.cancel_opening) ImGui::CloseCurrentPopup();

@@ -13,8 +13,9 @@ std::string volume_text(const Volume* volume) {
   if (!volume) return "no volume";
   const glm::ivec3 dims = volume->grid.dims;
   const ValueRange range = volume->statistics.range;
-  std::string text = fmt::format("{}   {} x {} x {}   {}   {:.6g} .. {:.6g}", volume->name, dims.x, dims.y,
-                                 dims.z, name_of(volume->file_type), range.min, range.max);
+  std::string text = fmt::format("{}   {} x {} x {}", volume->name, dims.x, dims.y, dims.z);
+  if (volume->part) text += fmt::format(", {}", short_part_text(*volume->part));
+  text += fmt::format("   {}   {:.6g} .. {:.6g}", name_of(volume->file_type), range.min, range.max);
   const auto add = [&](std::size_t count, const char* what) {
     if (count > 0) text += fmt::format("   {} {}", count, what);
   };

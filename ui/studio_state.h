@@ -176,6 +176,10 @@ struct OpeningState {
   bool scroll = false;  ///< to the chosen one
   RawLayout layout;
   std::vector<RawGuess> guesses;
+  // Of what is too large
+  bool takes_box = false;  ///< else every stride-th point
+  int stride = 2;
+  glm::ivec3 box_first{0}, box_end{0};  ///< points of the whole: [first, end)
 };
 
 struct StudioState {

@@ -4,9 +4,9 @@
 
 namespace crest {
 
-void FileRequest::require_memory(glm::u64vec3 dims, std::uint64_t bytes_per_point) const {
-  crest::require_memory(name(), dims, bytes_per_point, reading.memory);
-  if (expect) expect(dims.x * dims.y * dims.z * (sizeof(float) + bytes_per_point));
+void FileRequest::require_memory(const MemoryNeed& need) const {
+  crest::require_memory(name(), need, reading.memory);
+  if (expect) expect(*bytes_of(need));
 }
 
 FileRequest FileRequest::reading_also(std::uint64_t bytes) const {

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <glm/ext/vector_uint3_sized.hpp>
 #include <stop_token>
 #include <string>
 
+#include "render/volume/grid_part.h"
 #include "render/volume/memory.h"
 #include "render/volume/query.h"
 
@@ -34,8 +34,10 @@ struct FileRequest {
   std::function<void(std::uint64_t bytes)> expect = {};
 
   std::string name() const { return path.string(); }  ///< what errors call it
+  /// What the query says of a grid of so many points (grid_part.h).
+  GridPart part_of(glm::u64vec3 dims) const { return part_from_query(name(), query, dims); }
   /// As crest::require_memory, by what reading may take; then the reader gets that much.
-  void require_memory(glm::u64vec3 dims, std::uint64_t bytes_per_point) const;
+  void require_memory(const MemoryNeed& need) const;
   /// The same, where so many bytes are read besides those of the path itself. The reader gets them at once.
   FileRequest reading_also(std::uint64_t bytes) const;
 };

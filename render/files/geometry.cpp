@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "render/volume/take_part.h"
+
 namespace crest {
 
 void repair_geometry(Volume& volume) {
@@ -30,6 +32,11 @@ void repair_geometry(Volume& volume) {
       if (!std::isfinite(volume.direction[column][row])) volume.direction = glm::dmat3(1);
     }
   }
+}
+
+void place_part(Volume& volume, const GridPart& part) {
+  repair_geometry(volume);
+  take_part(volume, part);
 }
 
 }  // namespace crest

@@ -8,4 +8,7 @@ namespace crest {
 /// direction finite - and says so in the note.
 void repair_geometry(Volume& volume);
 
+/// repair_geometry() of the whole grid, then take_part().
+void place_part(Volume& volume, const GridPart& part);
+
 }  // namespace crest

@@ -120,10 +120,22 @@ Volume read_file_or_folder(const FileRequest& request) {
 Volume guarded(const FileRequest& request) {
   try {
     return read_file_or_folder(request);
+  } catch (const TooLarge& fault) {
+    throw part_needed(fault, request.name(), request.query);
   } catch (const fs::filesystem_error& fault) {
     throw Error(fmt::format("{}: {}", request.name(), fault.code().message()));
   } catch (const std::bad_alloc&) {
     throw Error(fmt::format("{}: reading it takes more memory than there is", request.name()));
+  }
+}
+
+Volume read_builtin(const std::string& source, const Reading& reading) {
+  try {
+    return make_builtin(source.substr(builtin_prefix.size()), reading.memory);
+  } catch (const TooLarge& fault) {
+    const std::size_t mark = source.find('?');
+    const Query query = mark == source.npos ? Query() : parse_query(source, source.substr(mark + 1));
+    throw part_needed(fault, source.substr(0, mark), query);
   }
 }
 
@@ -140,8 +152,7 @@ bool is_volume_there(const std::string& source) {
 }
 
 Volume load_volume(const std::string& source, const Reading& reading) {
-  if (source.starts_with(builtin_prefix))
-    return make_builtin(source.substr(builtin_prefix.size()), reading.memory);
+  if (source.starts_with(builtin_prefix)) return read_builtin(source, reading);
   const auto found = split_source(source);
   if (!found)
     throw Error(fmt::format("{}: there is no such file or folder", source.substr(0, source.find('?'))));

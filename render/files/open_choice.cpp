@@ -16,8 +16,26 @@ std::string_view key_of(ChoiceKind kind) {
       return "array";
     case ChoiceKind::series:
       return "series";
+    case ChoiceKind::part:
+      break;
   }
   return "";
+}
+
+ChoiceNeeded part_needed(const TooLarge& fault, const std::string& path, const Query& query) {
+  OpenChoice choice{ChoiceKind::part, path, query, 0, {}};
+  choice.need = fault.need;
+  choice.memory = fault.memory;
+  std::string text = fault.what();
+  if (const auto part = part_that_fits(fault.need, fault.memory)) {
+    MemoryNeed smaller = fault.need;
+    smaller.part = *part;
+    text += fmt::format("; ?stride={} would need {}", with_part({}, *part).at("stride"),
+                        byte_text(*bytes_of(smaller)));
+  } else {
+    text += "; no stride makes it small enough, a box may (?crop=x0:x1,y0:y1,z0:z1)";
+  }
+  return {text, std::move(choice)};
 }
 
 std::string source_of(const std::string& path, const Query& query) {

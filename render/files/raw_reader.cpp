@@ -9,16 +9,18 @@
 #include "presets/atomic_file.h"
 #include "presets/error.h"
 #include "presets/json.h"
+#include "render/files/geometry.h"
 #include "render/files/open_choice.h"
 #include "render/files/raw_layout.h"
 #include "render/files/raw_reader.h"
-#include "render/volume/convert.h"
+#include "render/files/read_slabs.h"
 #include "render/volume/memory.h"
+#include "render/volume/voxel_store.h"
 
 namespace crest {
 namespace {
 
-constexpr std::string_view keys = "size,type,spacing,origin,endian,offset";
+constexpr std::string_view keys = "size,type,spacing,origin,endian,offset,crop,stride";
 constexpr std::string_view hint =
     "say them as ?size=AxBxC&type=uint8, in a sidecar NAME.raw.json, or in the name (name_AxBxC_uint8.raw)";
 
@@ -106,25 +108,16 @@ void require_byte_count(const FileRequest& request, const Query& query, glm::u64
                 request.name(), query);
 }
 
-/// Block by block, so that the file's bytes are never all in memory.
-std::vector<float> read_values(const FileRequest& request, std::size_t count, ScalarType type,
-                               std::endian endian, std::uint64_t offset) {
-  constexpr std::size_t block = std::size_t(1) << 20;
+Voxels read_values(const FileRequest& request, const VoxelLayout& layout, const StoredAs& stored,
+                   std::uint64_t offset) {
   std::ifstream file(request.path, std::ios::binary);
-  file.seekg(std::streamoff(offset));
-  std::vector<float> values(count);
-  std::vector<std::byte> bytes(std::min(block, count) * size_of(type));
-  for (std::size_t done = 0; done < count; done += block) {
+  const auto read = [&](std::uint64_t first, std::span<std::byte> out) {
     if (request.reading.stop.stop_requested()) throw Error(request.name() + ": reading it was stopped");
-    const std::size_t points = std::min(block, count - done);
-    const std::span<std::byte> part = std::span(bytes).first(points * size_of(type));
-    if (!file.read(reinterpret_cast<char*>(part.data()), std::streamsize(part.size()))) {
+    file.seekg(std::streamoff(offset + first * size_of(stored.type)));
+    if (!file.read(reinterpret_cast<char*>(out.data()), std::streamsize(out.size())))
       throw Error(fmt::format("{}: it could not be read to its end", request.name()));
-    }
-    if (endian != std::endian::native) swap_bytes(part, size_of(type));
-    convert_to_float(part, type, 1, std::span(values).subspan(done, points));
-  }
-  return values;
+  };
+  return read_slabs(layout, stored, read).values;
 }
 
 }  // namespace
@@ -142,11 +135,12 @@ Volume read_raw(const FileRequest& request) {
   volume.file.raw = {.big_endian = endian == std::endian::big, .offset = offset};
   volume.grid.spacing = parse_vector(name, query, "spacing", glm::dvec3(1));
   volume.grid.origin = parse_vector(name, query, "origin", glm::dvec3(0));
-  require_memory(name, size, sizeof(double), std::numeric_limits<std::uint64_t>::max());
+  require_memory(name, {whole_grid(size), sizeof(double)}, std::numeric_limits<std::uint64_t>::max());
   require_byte_count(request, query, size, type, offset);
-  request.require_memory(size, 0);
-  volume.grid.dims = glm::ivec3(size);
-  volume.values = read_values(request, volume.grid.point_count(), type, endian, offset);
+  const GridPart part = part_from_query(name, query, size);
+  request.require_memory({part, held_size_of(type)});
+  volume.values = read_values(request, part_of(interleaved(size), part), {type, endian, {}}, offset);
+  place_part(volume, part);
   return volume;
 }
 

@@ -17,6 +17,7 @@
 #include "presets/printable.h"
 #include "render/files/reader_answer.h"
 #include "render/files/reader_process.h"
+#include "render/volume/voxel_store.h"
 
 namespace crest {
 namespace {
@@ -37,7 +38,7 @@ class Reader {
         library_(library_of(form)),
         process_(request.reading.reader, words(form, request)) {}
 
-  /// The last line, which holds `key`; after it come the floats. Throws Error.
+  /// The last line, which holds `key`; after it come the values. Throws Error.
   Json head(std::string_view key) {
     while (true) {
       const Json line = parse(next_line());
@@ -48,21 +49,20 @@ class Reader {
     }
   }
 
-  /// The floats behind the head, which tells how many there are; there is memory for them.
-  std::vector<float> values(const Json& head) {
+  /// Fills `values` with those behind the head, which tells how many there are; there is memory for them.
+  template <class T>
+  void read_values(const Json& head, std::vector<T>& values) {
     const auto told = head.find("values");
     if (told == head.end() || !told->is_number_unsigned()) fail_unclear();
     const auto count = told->get<std::size_t>();
-    if (count > request_.reading.memory / sizeof(float)) fail_unclear();
-    std::vector<float> values;
+    if (count > request_.reading.memory / sizeof(T)) fail_unclear();
     values.reserve(count);  // it is filled block by block: a reader lets go of what it has sent
-    std::vector<float> block(std::min(count, std::size_t(1) << 16));
+    std::vector<T> block(std::min(count, (std::size_t(1) << 18) / sizeof(T)));
     while (values.size() < count) {
       const std::size_t size = std::min(block.size(), count - values.size());
-      take(reinterpret_cast<char*>(block.data()), size * sizeof(float));
+      take(reinterpret_cast<char*>(block.data()), size * sizeof(T));
       values.insert(values.end(), block.begin(), block.begin() + std::ptrdiff_t(size));
     }
-    return values;
   }
 
   [[noreturn]] void fail_unclear() { fail("its answer makes no sense"); }
@@ -120,6 +120,7 @@ class Reader {
         what = choice_from_json(*choice);
         what->path = request_.name();  // not as told: what is opened next
         what->query = request_.query;
+        what->memory = request_.reading.memory;
       } catch (const std::exception&) {
         fail_unclear();
       }
@@ -219,8 +220,12 @@ Volume read_beside(FileForm form, const FileRequest& request) {
   Reader reader(form, request);
   const Json head = reader.head("volume");
   Volume volume = checked(reader, [&] { return volume_from_json(head.at("volume")); });
-  require_memory(request.name(), glm::u64vec3(volume.grid.dims), 0, request.reading.memory);
-  volume.values = reader.values(head);
+  const StoredValues told = checked(reader, [&] { return stored_from_json(head); });
+  require_memory(request.name(), {whole_grid(glm::u64vec3(volume.grid.dims)), held_size_of(told.type)},
+                 request.reading.memory);
+  Voxels::Stored stored = make_stored(told.type, 0);
+  std::visit([&](auto& values) { reader.read_values(head, values); }, stored);
+  volume.values = Voxels(std::move(stored), told.map);
   if (volume.values.size() != volume.grid.point_count()) reader.fail_unclear();
   return volume;
 }
@@ -228,7 +233,8 @@ Volume read_beside(FileForm form, const FileRequest& request) {
 Image read_picture_beside(const FileRequest& request) {
   Reader reader(FileForm::picture, request);
   const Json head = reader.head("picture");
-  const std::vector<float> values = reader.values(head);
+  std::vector<float> values;
+  reader.read_values(head, values);
   return checked(reader, [&] {
     const Json& size = head.at("picture");
     Image image{{size.at(0).get<int>(), size.at(1).get<int>()}, {}};

@@ -40,11 +40,11 @@ class Answer {
   }
 
   /// Lets go of the memory of what is sent: the other side gathers it meanwhile.
-  void values(std::span<const float> values) const {
-    constexpr std::size_t block = std::size_t(1) << 20;
-    for (std::span<const float> rest = values; !rest.empty();) {
+  void values(std::span<const std::byte> bytes) const {
+    constexpr std::size_t block = std::size_t(4) << 20;
+    for (std::span<const std::byte> rest = bytes; !rest.empty();) {
       const auto part = rest.first(std::min(block, rest.size()));
-      write_all({reinterpret_cast<const char*>(part.data()), part.size_bytes()});
+      write_all({reinterpret_cast<const char*>(part.data()), part.size()});
       rest = rest.subspan(part.size());
       let_go(part);
     }
@@ -61,7 +61,7 @@ class Answer {
   }
 
   /// Of the whole pages in it.
-  static void let_go(std::span<const float> part) {
+  static void let_go(std::span<const std::byte> part) {
     const auto page = std::uintptr_t(::sysconf(_SC_PAGESIZE));
     const auto begin = (reinterpret_cast<std::uintptr_t>(part.data()) + page - 1) & ~(page - 1);
     const auto end = reinterpret_cast<std::uintptr_t>(part.data() + part.size()) & ~(page - 1);
@@ -108,8 +108,10 @@ bool needs_openimageio(const Task& task) {
 void answer_volume(const Answer& answer, Volume volume) {
   repair_geometry(volume);
   volume.note = printable(volume.note);
-  answer.line({{"volume", volume_to_json(volume)}, {"values", volume.values.size()}});
-  answer.values(volume.values.to_floats());
+  const Voxels& values = volume.values;
+  answer.line(
+      {{"volume", volume_to_json(volume)}, {"values", values.size()}, {"stored", stored_to_json(values)}});
+  answer.values({static_cast<const std::byte*>(values.data()), values.byte_count()});
 }
 
 void answer_task(const Answer& answer, const Task& task) {
@@ -117,7 +119,7 @@ void answer_task(const Answer& answer, const Task& task) {
   if (task.form == FileForm::picture) {
     const Image image = image_module().read_image(path);
     answer.line({{"picture", {image.size.x, image.size.y}}, {"values", image.pixels.size() * 4}});
-    answer.values({reinterpret_cast<const float*>(image.pixels.data()), image.pixels.size() * 4});
+    answer.values(std::as_bytes(std::span(image.pixels)));
   } else if (task.form == FileForm::picture_preset) {
     answer.line({{"preset", image_module().preset_in_picture(path)}});
   } else if (is_page_form(task.form)) {
@@ -142,7 +144,11 @@ void run(const Answer& answer, std::span<char*> words) {
   const std::uint64_t held = bytes_held(task.request.path);
   expect(held);
   task.request.expect = [&](std::uint64_t bytes) { expect(held + bytes); };
-  answer_task(answer, task);
+  try {
+    answer_task(answer, task);
+  } catch (const TooLarge& fault) {
+    throw part_needed(fault, task.request.name(), task.request.query);
+  }
 }
 
 }  // namespace

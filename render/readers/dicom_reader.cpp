@@ -8,6 +8,7 @@
 #include <span>
 
 #include "presets/error.h"
+#include "render/files/geometry.h"
 #include "render/files/header_text.h"
 #include "render/files/kinds.h"
 #include "render/files/open_choice.h"
@@ -16,8 +17,8 @@
 #include "render/readers/select_one.h"
 #include "render/readers/subtract.h"
 #include "render/readers/voxel_header.h"
-#include "render/volume/convert.h"
 #include "render/volume/orientation.h"
+#include "render/volume/voxel_store.h"
 
 namespace crest {
 namespace {
@@ -122,6 +123,19 @@ class Pixels {
   DicomPixels pixels_;
 };
 
+bool has_one_scaling(const Images& slices) {
+  return std::ranges::all_of(slices,
+                             [&](const DicomImage& slice) { return slice.scaling == slices[0].scaling; });
+}
+
+/// What a slice is decoded to, and the files' frames that are decoded with it.
+MemoryNeed need_of(const Images& slices, const GridPart& part, std::uint64_t frames) {
+  const DicomImage& first = slices.front();
+  const std::uint64_t file = first.columns * first.rows * first.samples * sizeof(double) * frames;
+  const bool keeps = first.bits <= 16 && has_one_scaling(slices);
+  return {part, keeps ? (first.bits + 7) / 8 : sizeof(float), file};
+}
+
 Volume read_images(const FileRequest& request, Images images, std::string note) {
   const std::string name = request.name();
   std::map<fs::path, std::uint64_t> frames_of;
@@ -139,7 +153,8 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   add_note(volume.note, note);
   const glm::u64vec3 dims(first.columns, first.rows, slices.size());
   if (dims.z < 2) throw Error(fmt::format("{}: one DICOM slice: open the folder with its series", name));
-  request.require_memory(dims, first.samples * sizeof(double) * frames_of[first.file] / slices.size());
+  const GridPart part = request.part_of(dims);
+  request.require_memory(need_of(slices, part, frames_of[first.file]));
 
   const DicomGeometry geometry = geometry_of(slices);
   volume.grid = {glm::ivec3(dims), geometry.spacing, geometry.origin};
@@ -148,34 +163,41 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   add_note(volume.note, geometry.note);
   add_note(volume.note, orientation_note(geometry.direction));
   note_values(slices, volume.note);
-  std::vector<float>& values = volume.values.floats();
-  values.resize(volume.grid.point_count());
-  const std::size_t points = dims.x * dims.y;
-  Pixels pixels;
   const LinearMap subtraction = subtracted(request, {}, volume.note);
-  for (std::size_t k = 0; k < slices.size(); ++k) {
-    const DicomImage& slice = slices[k];
-    const auto bytes = pixels.of(slice, frames_of[slice.file], points * slice.samples);
-    if (k == 0) volume.file_type = pixels.type();
+  const auto map_of = [&](const DicomImage& slice) {
     LinearMap map = slice.samples == 1 ? slice.scaling : LinearMap();
     map.intercept += subtraction.intercept;
-    convert_to_float(bytes.subspan(component * size_of(pixels.type())), pixels.type(), slice.samples,
-                     std::span(values).subspan(k * points, points), map);
+    return map;
+  };
+  Pixels pixels;
+  std::optional<VoxelStore> store;
+  for (std::uint64_t k = 0; k < part.dims().z; ++k) {
+    const DicomImage& slice = slices[part.first.z + k * part.stride.z];
+    const auto bytes = pixels.of(slice, frames_of[slice.file], dims.x * dims.y * slice.samples);
+    if (!store) {
+      volume.file_type = pixels.type();
+      store.emplace(volume.file_type, part.point_count(),
+                    has_one_scaling(slices) ? std::optional(map_of(slice)) : std::nullopt);
+    }
+    put_slice(*store, part, k, bytes, volume.file_type, {slice.samples, component}, map_of(slice));
   }
+  volume.values = store->take();
+  place_part(volume, part);
   return volume;
 }
 
 }  // namespace
 
 Volume read_dicom_file(const FileRequest& request) {
-  require_known_keys(request.name(), request.query, "component,frame,subtract");
+  require_known_keys(request.name(), request.query, "component,frame,subtract" + std::string(part_keys));
   Images images = read_dicom_images(request.path);
   if (images.empty()) throw Error(fmt::format("{}: the DICOM file holds no image", request.name()));
   return read_images(request, std::move(images), "");
 }
 
 Volume read_dicom_series(const FileRequest& request) {
-  require_known_keys(request.name(), request.query, "component,frame,series,subtract");
+  require_known_keys(request.name(), request.query,
+                     "component,frame,series,subtract" + std::string(part_keys));
   const std::set<fs::path> files = files_in(request.path);
   const FileRequest whole = request.reading_also(bytes_outside(request.path, files));
   std::string note;

@@ -43,11 +43,7 @@ class PnmFile : public PageFile {
     if (kind_ == 1) return read_digits(stream, out);
     if (kind_ < 4) {
       WordStream words(stream);
-      std::vector<std::byte> values;
-      const std::uint64_t count = format_.width * format_.height * format_.channels;
-      read_numbers(file_.string(), words, {format_.type, count, 0, count}, values);
-      std::ranges::copy(values, out.begin());
-      return;
+      return read_numbers(file_.string(), words, format_.type, out);
     }
     stream.read(reinterpret_cast<char*>(out.data()), std::streamsize(out.size()));
     if (std::endian::native == std::endian::little) swap_bytes(out, size_of(format_.type));

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "presets/error.h"
+#include "render/files/geometry.h"
 #include "render/files/header_text.h"
 #include "render/files/kinds.h"
 #include "render/readers/natural_order.h"
@@ -13,16 +14,15 @@
 #include "render/readers/subtract.h"
 #include "render/readers/tiff_file.h"
 #include "render/readers/voxel_header.h"
-#include "render/volume/convert.h"
-#include "render/volume/memory.h"
 #include "render/volume/rounding.h"
+#include "render/volume/voxel_store.h"
 
 namespace crest {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view keys = "component,frame,spacing,origin,subtract";
+constexpr std::string_view keys = "component,frame,spacing,origin,subtract,crop,stride";
 
 /// One image: a file, or a page of one.
 struct Page {
@@ -72,7 +72,8 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
   auto file = open_pages(stack.pages.front().file);
   const PageFormat first = file->format(stack.pages.front().number);
   const glm::u64vec3 dims(first.width, first.height, stack.pages.size());
-  request.require_memory(dims, first.channels * size_of(first.type) / stack.pages.size());
+  const GridPart part = request.part_of(dims);
+  request.require_memory({part, held_size_of(first.type), first.bytes()});
 
   Volume volume;
   volume.file_type = first.type;
@@ -84,21 +85,25 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
   if (!spacing_known)
     add_note(volume.note, "its spacing is not known, and taken as 1: ?spacing=x,y,z says it");
   const LinearMap map = subtracted(request, {}, volume.note);
-  std::vector<float>& values = volume.values.floats();
-  values.resize(volume.grid.point_count());
-  const std::size_t points = dims.x * dims.y;
+  VoxelStore store(first.type, part.point_count(), map);
   std::vector<std::byte> bytes(first.bytes());
   std::string rounding;
-  for (std::size_t k = 0; k < stack.pages.size(); ++k) {
-    const Page& page = stack.pages[k];
-    if (k > 0 && page.file != stack.pages[k - 1].file) file = open_pages(page.file);
+  fs::path opened = stack.pages.front().file;
+  for (std::uint64_t k = 0; k < part.dims().z; ++k) {
+    const Page& page = stack.pages[part.first.z + k * part.stride.z];
+    if (page.file != opened) file = open_pages(page.file);
+    opened = page.file;
     require_alike(page, file->format(page.number), first);
     file->read(page.number, bytes);
+    put_slice(store, part, k, bytes, first.type, {first.channels, stack.channel}, map);
+    if (!rounding.empty() || !may_round(first.type, map)) continue;
     const auto samples = std::span<const std::byte>(bytes).subspan(stack.channel * size_of(first.type));
-    convert_to_float(samples, first.type, first.channels, std::span(values).subspan(k * points, points), map);
-    if (rounding.empty()) rounding = rounding_note(samples, first.type, first.channels, map);
+    const Rounding lost = rounding_of(samples, first.type, dims.x * dims.y, first.channels, map);
+    rounding = rounding_note(lost, first.type, map);
   }
+  volume.values = store.take();
   if (!rounding.empty()) add_note(volume.note, fmt::format("of its images some: {}", rounding));
+  place_part(volume, part);
   return volume;
 }
 
@@ -133,7 +138,7 @@ Volume read_image_pages(const FileRequest& request) {
 }
 
 Volume read_image_folder(const FileRequest& request) {
-  require_known_keys(request.name(), request.query, "component,spacing,origin,subtract");
+  require_known_keys(request.name(), request.query, "component,spacing,origin,subtract,crop,stride");
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(request.path)) {
     if (is_image(entry.path())) files.push_back(entry.path().string());

@@ -9,6 +9,7 @@
 
 #include "presets/error.h"
 #include "render/files/header_text.h"
+#include "render/volume/convert.h"
 
 namespace crest {
 namespace {
@@ -82,37 +83,6 @@ std::string shown(std::string_view word) {
   return word.size() > most ? text + "..." : text;
 }
 
-template <class T>
-void read_numbers_as(const std::string& name, WordStream& words, TextRange range, std::vector<std::byte>& out,
-                     std::uint64_t done) {
-  std::uint64_t wrong = 0;
-  std::string first_wrong;
-  std::string_view word;
-  for (std::uint64_t i = 0; i < range.count;) {
-    if (!words.next(word)) {
-      throw Error(fmt::format("{}: the header promises {} numbers of voxels, and the file has {}", name,
-                              done + range.count, done + i));
-    }
-    word = without_commas(word);
-    if (word.empty()) continue;
-    T value{};
-    const Parsed parsed = parse(word, value);
-    const auto place = [&] {
-      return fmt::format("\"{}\" at voxel {} (line {})", shown(word), done + i, words.line());
-    };
-    if (parsed == Parsed::no_number) throw Error(fmt::format("{}: {} is not a number", name, place()));
-    if (parsed == Parsed::not_of_the_type && wrong++ == 0) first_wrong = place();
-    if (i >= range.first && i - range.first < range.taken) {
-      const auto* bytes = reinterpret_cast<const std::byte*>(&value);
-      out.insert(out.end(), bytes, bytes + sizeof value);
-    }
-    ++i;
-  }
-  if (wrong == 0) return;
-  throw Error(fmt::format("{}: {} of its numbers {} no {}: the first is {}", name, wrong,
-                          wrong == 1 ? "is" : "are", name_of(range.type), first_wrong));
-}
-
 }  // namespace
 
 bool WordStream::refill() {
@@ -148,34 +118,56 @@ bool WordStream::next(std::string_view& word) {
   return true;
 }
 
-void read_numbers(const std::string& name, WordStream& words, TextRange range, std::vector<std::byte>& out,
-                  std::uint64_t done) {
-  using enum ScalarType;
-  switch (range.type) {
-    case uint8:
-      return read_numbers_as<std::uint8_t>(name, words, range, out, done);
-    case int8:
-      return read_numbers_as<std::int8_t>(name, words, range, out, done);
-    case uint16:
-      return read_numbers_as<std::uint16_t>(name, words, range, out, done);
-    case int16:
-      return read_numbers_as<std::int16_t>(name, words, range, out, done);
-    case uint32:
-      return read_numbers_as<std::uint32_t>(name, words, range, out, done);
-    case int32:
-      return read_numbers_as<std::int32_t>(name, words, range, out, done);
-    case uint64:
-      return read_numbers_as<std::uint64_t>(name, words, range, out, done);
-    case int64:
-      return read_numbers_as<std::int64_t>(name, words, range, out, done);
-    case float32:
-      return read_numbers_as<float>(name, words, range, out, done);
-    case float64:
-      return read_numbers_as<double>(name, words, range, out, done);
-    case float16:
-      break;
+NumberReader::NumberReader(std::string name, WordStream& words, ScalarType type, std::uint64_t count,
+                           std::uint64_t done)
+    : name_(std::move(name)), words_(words), type_(type), count_(count), done_(done) {
+  if (type == ScalarType::float16)
+    throw Error(fmt::format("{}: half-precision numbers as text are not read", name_));
+}
+
+template <class T>
+void NumberReader::take_as(std::uint64_t numbers, std::byte* out) {
+  std::string_view word;
+  for (const std::uint64_t end = taken_ + numbers; taken_ < end;) {
+    if (!words_.next(word)) {
+      throw Error(fmt::format("{}: the header promises {} numbers of voxels, and the file has {}", name_,
+                              done_ + count_, done_ + taken_));
+    }
+    word = without_commas(word);
+    if (word.empty()) continue;
+    T value{};
+    const Parsed parsed = parse(word, value);
+    const auto place = [&] {
+      return fmt::format("\"{}\" at voxel {} (line {})", shown(word), done_ + taken_, words_.line());
+    };
+    if (parsed == Parsed::no_number) throw Error(fmt::format("{}: {} is not a number", name_, place()));
+    if (parsed == Parsed::not_of_the_type && wrong_++ == 0) first_wrong_ = place();
+    if (out) {
+      std::memcpy(out, &value, sizeof value);
+      out += sizeof value;
+    }
+    ++taken_;
   }
-  throw Error(fmt::format("{}: half-precision numbers as text are not read", name));
+}
+
+void NumberReader::take(std::uint64_t numbers, std::byte* out) {
+  with_scalar_type(type_, [&](auto zero) {
+    using T = decltype(zero);
+    if constexpr (std::is_arithmetic_v<T>) take_as<T>(numbers, out);
+  });
+}
+
+void NumberReader::finish() {
+  skip(count_ - taken_);
+  if (wrong_ == 0) return;
+  throw Error(fmt::format("{}: {} of its numbers {} no {}: the first is {}", name_, wrong_,
+                          wrong_ == 1 ? "is" : "are", name_of(type_), first_wrong_));
+}
+
+void read_numbers(const std::string& name, WordStream& words, ScalarType type, std::span<std::byte> out) {
+  NumberReader numbers(name, words, type, out.size() / size_of(type));
+  numbers.read(out);
+  numbers.finish();
 }
 
 }  // namespace crest

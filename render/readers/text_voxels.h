@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <istream>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "render/volume/volume.h"
 
@@ -34,19 +34,34 @@ class WordStream {
   std::size_t at_ = 0, line_ = 1;
 };
 
-/// What a text's numbers are read as, and where they go.
-struct TextRange {
-  ScalarType type = ScalarType::float32;
-  std::uint64_t count = 0;             ///< numbers to be read
-  std::uint64_t first = 0, taken = 0;  ///< those that are kept: [first, first + taken)
+/// Reads `count` numbers of a text, each exactly rounded once, in the machine's byte order. `nan` and `inf`
+/// are what they say; a number beyond the floating-point type is infinite. Throws Error, which begins with
+/// `name`: for a word that is no number, with its voxel and line; for an early end.
+class NumberReader {
+ public:
+  /// `done` numbers of the voxels are elsewhere, before these.
+  NumberReader(std::string name, WordStream& words, ScalarType type, std::uint64_t count,
+               std::uint64_t done = 0);
+  void skip(std::uint64_t numbers) { take(numbers, nullptr); }
+  void read(std::span<std::byte> out) { take(out.size() / size_of(type_), out.data()); }
+  /// Reads what is left of them. Throws Error for numbers that an integer type does not have (300 in uint8,
+  /// 1.5), how many there are of all that were read.
+  void finish();
+  std::uint64_t taken() const { return taken_; }
+
+ private:
+  void take(std::uint64_t numbers, std::byte* out);
+  template <class T>
+  void take_as(std::uint64_t numbers, std::byte* out);
+
+  std::string name_;
+  WordStream& words_;
+  ScalarType type_;
+  std::uint64_t count_, done_, taken_ = 0, wrong_ = 0;
+  std::string first_wrong_;
 };
 
-/// Reads `range.count` numbers, each exactly rounded once, and appends the bytes of those kept to `out`, in
-/// the machine's order. `nan` and `inf` are what they say; a number beyond the floating-point type is
-/// infinite. Throws Error, which begins with `name`: for a word that is no number, with its voxel and line;
-/// for numbers that an integer type does not have (300 in uint8, 1.5), how many there are; for an early end.
-/// `done` numbers were read before.
-void read_numbers(const std::string& name, WordStream& words, TextRange range, std::vector<std::byte>& out,
-                  std::uint64_t done = 0);
+/// All numbers of a text that are to fill `out`, as NumberReader reads them.
+void read_numbers(const std::string& name, WordStream& words, ScalarType type, std::span<std::byte> out);
 
 }  // namespace crest

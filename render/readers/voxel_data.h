@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/volume/volume.h"
@@ -29,11 +29,16 @@ struct VoxelData {
 void require_room(const std::string& name, const VoxelData& data, std::uint64_t values,
                   std::uint64_t value_size);
 
-/// The bytes of the values [first, first + taken) of `values`, in the byte order that the file has them in;
-/// of text, in the machine's. Compressed data is inflated whole, to its checksum. Throws Error, which begins
-/// with `name`, when the files do not hold them all, are damaged, or hold text that is no number of the type.
-std::vector<std::byte> read_stored(const std::string& name, const VoxelData& data, ScalarType type,
-                                   std::uint64_t values, std::uint64_t first, std::uint64_t taken);
+/// Compressed data that is far longer than the voxels is not inflated to find where they begin.
+inline constexpr std::uint64_t longest_skip = std::uint64_t(1) << 24;
+
+/// Bytes of a file behind `offset`. Throws Error when it cannot be read.
+std::uint64_t bytes_from(const std::string& name, const std::filesystem::path& path, std::uint64_t offset);
+/// Of `values`, how many are in each file. Throws Error when they are not of one length.
+std::uint64_t share_of(const std::string& name, const VoxelData& data, std::uint64_t values);
+/// The Error for files that hold less than they should; `unit`: "bytes".
+[[noreturn]] void throw_short(const std::string& name, const VoxelData& data, std::uint64_t promised,
+                              std::uint64_t held, std::string_view unit);
 
 /// The first bytes of a file, at most `size`; of a gzip stream, inflated, if `inflate`.
 std::string read_head(const std::filesystem::path& path, std::size_t size, bool inflate = false);

@@ -1,29 +1,14 @@
 #pragma once
 
 #include <bit>
-#include <cstdint>
-#include <glm/ext/vector_uint3_sized.hpp>
 #include <string>
 
+#include "render/files/voxel_layout.h"
 #include "render/readers/voxel_data.h"
 #include "render/volume/convert.h"
 #include "render/volume/volume.h"
 
 namespace crest {
-
-/// How stored values follow each other, counted in values: point (i,j,k) of component c in frame t is value
-/// start + dot(stride, (i,j,k)) + c * component_stride + t * frame_stride.
-struct VoxelLayout {
-  glm::u64vec3 dims{0}, stride{0};
-  std::uint64_t components = 1, component_stride = 0;
-  std::uint64_t frames = 1, frame_stride = 0;
-  std::uint64_t start = 0;
-
-  std::uint64_t stored_values() const { return dims.x * dims.y * dims.z * components * frames; }
-};
-
-/// Components fastest, then x, y, z and frames: how most formats store them.
-VoxelLayout interleaved(glm::u64vec3 dims, std::uint64_t components = 1, std::uint64_t frames = 1);
 
 /// All that a header says about how its voxels are read.
 struct VoxelHeader {

@@ -1,65 +1,30 @@
 #include "render/readers/voxel_reader.h"
 
 #include <fmt/core.h>
-#include <tbb/parallel_for.h>
 
 #include <limits>
-#include <span>
 
 #include "presets/error.h"
+#include "render/files/geometry.h"
 #include "render/readers/select_one.h"
 #include "render/readers/subtract.h"
+#include "render/readers/voxel_stream.h"
 #include "render/volume/memory.h"
 #include "render/volume/orientation.h"
-#include "render/volume/rounding.h"
+#include "render/volume/voxel_store.h"
 
 namespace crest {
 namespace {
 
-/// The stored values that hold the selected ones, and where those lie among them.
-struct Selection {
-  std::uint64_t first = 0, count = 0;
-  glm::u64vec3 stride{0};
-};
-
 void require_countable(const std::string& name, const VoxelLayout& layout) {
   constexpr std::uint64_t most_components = 1024;
-  require_memory(name, layout.dims, sizeof(double), std::numeric_limits<std::uint64_t>::max());
+  require_memory(name, {whole_grid(layout.dims), sizeof(double)}, std::numeric_limits<std::uint64_t>::max());
   const auto per_point = checked_product(layout.components * sizeof(double), layout.frames);
   if (layout.components == 0 || layout.components > most_components || layout.frames == 0 || !per_point ||
       !checked_product(layout.dims.x * layout.dims.y * layout.dims.z, *per_point)) {
     throw Error(fmt::format("{}: {}x{}x{} points of {} components in {} frames cannot be counted", name,
                             layout.dims.x, layout.dims.y, layout.dims.z, layout.components, layout.frames));
   }
-}
-
-Selection select(const FileRequest& request, const VoxelHeader& header, std::string& note) {
-  const VoxelLayout& layout = header.layout;
-  const std::uint64_t component =
-      select_one(request, ChoiceKind::component, layout.components, note, header.component_names);
-  const std::uint64_t frame = select_one(request, ChoiceKind::frame, layout.frames, note);
-  Selection selection{layout.start + component * layout.component_stride + frame * layout.frame_stride, 1,
-                      layout.stride};
-  for (int axis = 0; axis < 3; ++axis) selection.count += (layout.dims[axis] - 1) * layout.stride[axis];
-  return selection;
-}
-
-/// Rows of x, which most layouts have at a fixed distance.
-std::vector<float> gather(std::span<const std::byte> bytes, const VoxelHeader& header, glm::u64vec3 stride,
-                          LinearMap map) {
-  const glm::u64vec3 dims = header.layout.dims;
-  const std::size_t value_size = size_of(header.type);
-  std::vector<float> values(dims.x * dims.y * dims.z);
-  if (stride.y == stride.x * dims.x && stride.z == stride.y * dims.y) {
-    convert_to_float(bytes, header.type, stride.x, values, map);
-    return values;
-  }
-  tbb::parallel_for(std::uint64_t(0), dims.y * dims.z, [&](std::uint64_t row) {
-    const std::uint64_t first = row % dims.y * stride.y + row / dims.y * stride.z;
-    convert_to_float(bytes.subspan(first * value_size), header.type, stride.x,
-                     std::span(values).subspan(row * dims.x, dims.x), map);
-  });
-  return values;
 }
 
 /// Of other files than the one that is named, and of what is inflated to find a part of it.
@@ -72,16 +37,15 @@ std::uint64_t bytes_besides(const std::filesystem::path& path, const VoxelHeader
   return bytes;
 }
 
-}  // namespace
-
-VoxelLayout interleaved(glm::u64vec3 dims, std::uint64_t components, std::uint64_t frames) {
-  VoxelLayout layout{dims, {components, components * dims.x, components * dims.x * dims.y}};
-  layout.components = components;
-  layout.component_stride = 1;
-  layout.frames = frames;
-  layout.frame_stride = components * dims.x * dims.y * dims.z;
-  return layout;
+/// Also the stored values of one slab, at least those of a row.
+MemoryNeed need_of(const VoxelHeader& header, const GridPart& part, std::uint64_t held_besides) {
+  const std::uint64_t stored =
+      header.layout.dims.x * header.layout.dims.y * header.layout.dims.z * header.layout.components;
+  return {part, held_size_of(header.type),
+          std::min(slab_bytes, stored * size_of(header.type)) + held_besides};
 }
+
+}  // namespace
 
 void add_note(std::string& note, const std::string& more) {
   if (!note.empty() && !more.empty()) note += "; ";
@@ -96,22 +60,26 @@ Volume read_voxels(const FileRequest& request, const VoxelHeader& header, const 
   VoxelHeader as_read = header;
   if (header.data.encoding == Encoding::decimal) as_read.endian = std::endian::native;
   const std::uint64_t besides = bytes_besides(request.path, header, stored);
-  return read_voxels(request.reading_also(besides), as_read, keys,
-                     [&](std::uint64_t first, std::uint64_t count) {
-                       return read_stored(name, header.data, header.type, stored, first, count);
-                     });
+  VoxelStream stream(name, header.data, header.type, stored);
+  Volume volume = read_voxels(
+      request.reading_also(besides), as_read, keys,
+      [&](std::uint64_t first, std::span<std::byte> out) { stream.read(first, out); }, 0);
+  stream.finish();
+  return volume;
 }
 
 Volume read_voxels(const FileRequest& request, const VoxelHeader& header, const std::string& keys,
-                   const FetchValues& fetch) {
+                   const ReadValues& read, std::uint64_t held_besides) {
   const std::string name = request.name();
-  require_known_keys(name, request.query, "component,frame,subtract" + keys);
+  require_known_keys(name, request.query, "component,frame,subtract" + std::string(part_keys) + keys);
   const VoxelLayout& layout = header.layout;
   require_countable(name, layout);
   Volume volume;
-  const Selection selection = select(request, header, volume.note);
-  const std::uint64_t points = layout.dims.x * layout.dims.y * layout.dims.z;
-  request.require_memory(layout.dims, (selection.count + points - 1) / points * size_of(header.type));
+  const std::uint64_t component =
+      select_one(request, ChoiceKind::component, layout.components, volume.note, header.component_names);
+  const std::uint64_t frame = select_one(request, ChoiceKind::frame, layout.frames, volume.note);
+  const GridPart part = request.part_of(layout.dims);
+  request.require_memory(need_of(header, part, held_besides));
   add_note(volume.note, header.note);
   if (header.scaling != LinearMap()) {
     add_note(volume.note, fmt::format("values are {} times the stored ones plus {}", header.scaling.slope,
@@ -123,12 +91,11 @@ Volume read_voxels(const FileRequest& request, const VoxelHeader& header, const 
   volume.is_in_patient = header.is_in_patient;
   add_note(volume.note, orientation_note(header.direction));
 
-  const LinearMap map = subtracted(request, header.scaling, volume.note);
-  std::vector<std::byte> bytes = fetch(selection.first, selection.count);
-  if (header.endian != std::endian::native) swap_bytes(bytes, size_of(header.type));
-  volume.values = gather(bytes, header, selection.stride, map);
-  const std::size_t between = layout.component_stride == 1 ? layout.components : 1;
-  add_note(volume.note, rounding_note(bytes, header.type, between, map));
+  const StoredAs stored{header.type, header.endian, subtracted(request, header.scaling, volume.note)};
+  SlabsRead slabs = read_slabs(part_of(one_of(layout, component, frame), part), stored, read);
+  volume.values = std::move(slabs.values);
+  add_note(volume.note, rounding_note(slabs.rounding, header.type, stored.map));
+  place_part(volume, part);
   return volume;
 }
 

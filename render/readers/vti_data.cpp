@@ -82,6 +82,17 @@ std::vector<std::byte> read_array(const std::string& name, const Begin& begin, c
   return bytes;
 }
 
+std::vector<std::byte> bytes_at(const std::filesystem::path& path, std::uint64_t offset,
+                                std::uint64_t count) {
+  const std::uint64_t size = std::filesystem::file_size(path);
+  std::vector<std::byte> bytes(std::min(count, size > offset ? size - offset : 0));
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(std::streamoff(offset));
+  file.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size()));
+  bytes.resize(std::size_t(file.gcount()));
+  return bytes;
+}
+
 }  // namespace
 
 std::vector<std::byte> read_vti_base64(const std::string& name, std::string_view text,
@@ -92,16 +103,19 @@ std::vector<std::byte> read_vti_base64(const std::string& name, std::string_view
 
 std::vector<std::byte> read_vti_raw(const std::string& name, const std::filesystem::path& path,
                                     std::uint64_t offset, const VtiCoding& coding, std::uint64_t promised) {
-  const auto begin = [&](std::uint64_t count) {
-    const std::uint64_t size = std::filesystem::file_size(path);
-    std::vector<std::byte> bytes(std::min(count, size > offset ? size - offset : 0));
-    std::ifstream file(path, std::ios::binary);
-    file.seekg(std::streamoff(offset));
-    file.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size()));
-    bytes.resize(std::size_t(file.gcount()));
-    return bytes;
-  };
-  return read_array(name, begin, coding, promised);
+  return read_array(
+      name, [&](std::uint64_t count) { return bytes_at(path, offset, count); }, coding, promised);
+}
+
+std::uint64_t find_vti_raw(const std::string& name, const std::filesystem::path& path, std::uint64_t offset,
+                           const VtiCoding& coding, std::uint64_t promised) {
+  const Begin begin = [&](std::uint64_t count) { return bytes_at(path, offset, count); };
+  const std::uint64_t held = length_at(at_least(name, begin, coding.header_bytes), 0, coding);
+  if (held != promised) throw_length(name, held, promised);
+  const std::uint64_t first = offset + coding.header_bytes, end = std::filesystem::file_size(path);
+  if (end - first < promised)
+    throw Error(fmt::format("{}: the array ends after {} of {} bytes", name, end - first, promised));
+  return first;
 }
 
 }  // namespace crest

@@ -26,4 +26,8 @@ std::vector<std::byte> read_vti_base64(const std::string& name, std::string_view
 std::vector<std::byte> read_vti_raw(const std::string& name, const std::filesystem::path& file,
                                     std::uint64_t offset, const VtiCoding& coding, std::uint64_t promised);
 
+/// Where such bytes begin in the file, behind their length, if they are not compressed. Throws as the others.
+std::uint64_t find_vti_raw(const std::string& name, const std::filesystem::path& file, std::uint64_t offset,
+                           const VtiCoding& coding, std::uint64_t promised);
+
 }  // namespace crest

@@ -17,6 +17,7 @@
 #include "render/readers/voxel_reader.h"
 #include "render/readers/vti_data.h"
 #include "render/readers/vti_pieces.h"
+#include "render/volume/memory.h"
 
 namespace crest {
 namespace {
@@ -138,6 +139,19 @@ void take_geometry(const std::string& name, pugi::xml_node image, const VtiExten
 
 bool is_text(pugi::xml_node array) { return std::string_view(array.attribute("format").value()) == "ascii"; }
 
+bool is_appended(pugi::xml_node array) {
+  return std::string_view(array.attribute("format").value()) == "appended";
+}
+
+/// Where its appended data begins in the file.
+std::uint64_t appended_place(const std::string& name, const VtiText& text, pugi::xml_node array) {
+  const auto offset = to_integer(array.attribute("offset").value());
+  if (!is_appended(array) || !offset || *offset < 0 || !text.appended)
+    throw Error(
+        fmt::format("{}: its array has neither data of its own nor a place in the appended data", name));
+  return *text.appended + std::uint64_t(*offset);
+}
+
 /// The bytes of an array of so many values, in the file's order; text's in the machine's.
 std::vector<std::byte> read_array(const FileRequest& request, const VtiText& text, pugi::xml_node array,
                                   const VtiCoding& coding, ScalarType type, std::uint64_t values) {
@@ -149,16 +163,12 @@ std::vector<std::byte> read_array(const FileRequest& request, const VtiText& tex
     const auto at = std::clamp<std::ptrdiff_t>(array.first_child().offset_debug(), 0, std::ssize(text.xml));
     const auto line = std::count(text.xml.begin(), text.xml.begin() + at, '\n');
     WordStream stream_words(stream, std::size_t(line) + 1);
-    std::vector<std::byte> out;
-    read_numbers(name, stream_words, {type, values, 0, values}, out);
+    std::vector<std::byte> out(bytes);
+    read_numbers(name, stream_words, type, out);
     return out;
   }
   if (format == "binary") return read_vti_base64(name, array.child_value(), coding, bytes);
-  const auto offset = to_integer(array.attribute("offset").value());
-  if (format != "appended" || !offset || *offset < 0 || !text.appended)
-    throw Error(
-        fmt::format("{}: its array has neither data of its own nor a place in the appended data", name));
-  const std::uint64_t begin = *text.appended + std::uint64_t(*offset);
+  const std::uint64_t begin = appended_place(name, text, array);
   if (!text.appended_is_base64) return read_vti_raw(name, request.path, begin, coding, bytes);
   std::ifstream file(request.path, std::ios::binary);
   file.seekg(std::streamoff(begin));
@@ -213,6 +223,14 @@ std::vector<Piece> pieces_of(const std::string& name, pugi::xml_node image, cons
     pieces.push_back({extent_of(name, piece, whole), *found});
   }
   return pieces;
+}
+
+/// 0 where they cannot be counted.
+std::uint64_t bytes_of_array(const VoxelHeader& header) {
+  const glm::u64vec3 dims = header.layout.dims;
+  const auto points = checked_product(dims.x * dims.y, dims.z);
+  const auto values = points ? checked_product(*points, header.layout.components) : points;
+  return values ? checked_product(*values, size_of(header.type)).value_or(0) : 0;
 }
 
 /// All of a volume's bytes, from its pieces.
@@ -275,13 +293,20 @@ Volume read_vti(const FileRequest& request) {
   header.layout = interleaved(header.layout.dims, components);
   const VtiCoding coding = coding_of(name, document.child("VTKFile"));
   header.endian = is_text(array) ? std::endian::native : coding.endian;
-  return read_voxels(request, header, ",array", [&](std::uint64_t first, std::uint64_t count) {
-    std::vector<std::byte> bytes = join_pieces(request, text, pieces, whole, of_cells, coding, header);
-    const auto size = std::ptrdiff_t(size_of(header.type));
-    bytes.erase(bytes.begin() + std::ptrdiff_t(first + count) * size, bytes.end());
-    bytes.erase(bytes.begin(), bytes.begin() + std::ptrdiff_t(first) * size);
-    return bytes;
-  });
+  const std::uint64_t promised = bytes_of_array(header);
+  if (pieces.size() == 1 && is_appended(array) && !text.appended_is_base64 && !coding.compressed &&
+      promised) {
+    const std::uint64_t place = appended_place(name, text, array);
+    header.data = {{request.path}, find_vti_raw(name, request.path, place, coding, promised)};
+    return read_voxels(request, header, ",array");
+  }
+  std::vector<std::byte> bytes;
+  const std::size_t value_size = size_of(header.type);
+  const auto read = [&](std::uint64_t first, std::span<std::byte> out) {
+    if (bytes.empty()) bytes = join_pieces(request, text, pieces, whole, of_cells, coding, header);
+    std::ranges::copy(std::span(bytes).subspan(first * value_size, out.size()), out.begin());
+  };
+  return read_voxels(request, header, ",array", read, promised);
 }
 
 }  // namespace crest

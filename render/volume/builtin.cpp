@@ -10,6 +10,7 @@
 #include "presets/nearest_word.h"
 #include "render/volume/builtin_fields.h"
 #include "render/volume/query.h"
+#include "render/volume/take_part.h"
 
 namespace crest {
 namespace {
@@ -132,7 +133,7 @@ std::pair<const Entry*, Parameters> parse(std::string_view name_and_query) {
     if (entry.builtin.name != name) continue;
     const std::string source = fmt::format("builtin:{}", name);
     Query query = parse_query(source, mark == std::string_view::npos ? "" : name_and_query.substr(mark + 1));
-    require_known_keys(source, query, entry.keys);
+    require_known_keys(source, query, std::string(entry.keys) + std::string(part_keys));
     return {&entry, {source, std::move(query)}};
   }
   std::vector<std::string_view> known;
@@ -157,20 +158,24 @@ FormulaField builtin_field(std::string_view name_and_query) {
 Volume make_builtin(std::string_view name_and_query, std::uint64_t memory) {
   const auto [entry, parameters] = parse(name_and_query);
   const int n = parameters.integer("n", entry->points, 2, 1 << 20);
-  require_memory(parameters.name, glm::u64vec3(std::uint64_t(n)), 0, memory);
+  const GridPart part = part_from_query(parameters.name, parameters.query, glm::u64vec3(std::uint64_t(n)));
+  require_memory(parameters.name, {part, sizeof(float)}, memory);
   const FormulaField field = entry->field(parameters);
 
   Volume volume;
   volume.name = entry->builtin.name;
   volume.grid = {glm::ivec3(n), glm::dvec3(2.0 / (n - 1)), glm::dvec3(-1)};
+  take_part(volume, part);
   std::vector<float>& values = volume.values.floats();
   values.resize(volume.grid.point_count());
-  tbb::parallel_for(0, n, [&](int k) {
-    float* out = values.data() + std::size_t(k) * std::size_t(n) * std::size_t(n);
-    for (int j = 0; j < n; ++j) {
-      for (int i = 0; i < n; ++i) {
-        *out++ = float(field.value(volume.grid.origin + volume.grid.spacing * glm::dvec3(i, j, k)));
-      }
+  // As of the whole grid, so that a part has its values to the bit
+  const glm::dvec3 step(2.0 / (n - 1));
+  const auto place = [&](glm::u64vec3 p) { return -1.0 + step * glm::dvec3(part.first + part.stride * p); };
+  const glm::u64vec3 dims = part.dims();
+  tbb::parallel_for(std::uint64_t(0), dims.z, [&](std::uint64_t k) {
+    float* out = values.data() + k * dims.x * dims.y;
+    for (std::uint64_t j = 0; j < dims.y; ++j) {
+      for (std::uint64_t i = 0; i < dims.x; ++i) *out++ = float(field.value(place({i, j, k})));
     }
   });
   volume.statistics = compute_statistics(volume.grid, volume.values);

@@ -1,14 +1,17 @@
 #include "render/volume/export_volume.h"
 
+#include "render/volume/take_part.h"
+
 namespace crest {
 
 ExportVolume export_volume(const Volume& volume) {
+  const Grid grid = full_grid(volume);  // other programs read all of the file
   ExportVolume result{.file = volume.file.path,
                       .name = volume.name,
                       .range = volume.statistics.range,
-                      .dims = volume.grid.dims,
-                      .spacing = volume.grid.spacing,
-                      .origin = volume.grid.origin,
+                      .dims = grid.dims,
+                      .spacing = grid.spacing,
+                      .origin = grid.origin,
                       .raw = {}};
   if (volume.file.raw)
     result.raw = {.type = name_of(volume.file_type),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <ranges>
 #include <string>
 
 #include "presets/error.h"
@@ -56,8 +57,6 @@ std::uint64_t left_up_from(const std::filesystem::path& root, std::string_view g
   return left;
 }
 
-std::string gigabytes(std::uint64_t bytes) { return fmt::format("{:.3g} GB", double(bytes) / 1e9); }
-
 }  // namespace
 
 // Lines are "number:controllers:/group"; version 2 has the number 0 and no controllers.
@@ -86,9 +85,47 @@ std::optional<std::uint64_t> checked_product(std::uint64_t a, std::uint64_t b) {
   return product;
 }
 
-void require_memory(std::string_view name, glm::u64vec3 dims, std::uint64_t bytes_per_point,
-                    std::uint64_t memory) {
+std::string byte_text(std::uint64_t bytes) {
+  if (bytes < 1000) return fmt::format("{} bytes", bytes);
+  double number = double(bytes) / 1000;
+  const char* unit = "kB";
+  for (const char* next : {"MB", "GB"}) {
+    if (number < 999.5) break;
+    number /= 1000;
+    unit = next;
+  }
+  return number < 999.5 ? fmt::format("{:.3g} {}", number, unit) : fmt::format("{:.0f} {}", number, unit);
+}
+
+std::optional<std::uint64_t> bytes_of(const MemoryNeed& need) {
+  const glm::u64vec3 dims = need.part.dims();
+  const auto plane = checked_product(dims.x, dims.y);
+  const auto points = plane ? checked_product(*plane, dims.z) : plane;
+  const auto bytes = points ? checked_product(*points, need.bytes_per_point) : points;
+  if (!bytes || *bytes > no_limit - need.besides) return std::nullopt;
+  return *bytes + need.besides;
+}
+
+std::optional<GridPart> part_that_fits(const MemoryNeed& need, std::uint64_t memory) {
+  const glm::u64vec3 box = need.part.end - need.part.first, most = box - glm::u64vec3(1);
+  const auto at_stride = [&](std::uint64_t stride) {
+    MemoryNeed smaller = need;
+    smaller.part.stride = glm::min(glm::max(glm::u64vec3(stride), need.part.stride), most);
+    return smaller;
+  };
+  const auto is_too_large = [&](std::uint64_t stride) {
+    const auto bytes = bytes_of(at_stride(stride));
+    return !bytes || *bytes > memory;
+  };
+  const std::uint64_t longest = std::max({most.x, most.y, most.z});
+  if (is_too_large(longest)) return std::nullopt;
+  return at_stride(*std::ranges::partition_point(std::views::iota(std::uint64_t(1), longest), is_too_large))
+      .part;
+}
+
+void require_memory(std::string_view name, const MemoryNeed& need, std::uint64_t memory) {
   constexpr std::uint64_t most_points = std::uint64_t(std::numeric_limits<int>::max());
+  const glm::u64vec3 dims = need.part.dims();
   for (int axis = 0; axis < 3; ++axis) {
     const std::uint64_t points = dims[axis];
     if (points < 2 || points > most_points) {
@@ -96,16 +133,15 @@ void require_memory(std::string_view name, glm::u64vec3 dims, std::uint64_t byte
                               dims.x, dims.y, dims.z, axis + 1, points, most_points));
     }
   }
-  const auto plane = checked_product(dims.x, dims.y);
-  const auto points = plane ? checked_product(*plane, dims.z) : plane;
-  const auto bytes = points ? checked_product(*points, sizeof(float) + bytes_per_point) : points;
+  const auto bytes = bytes_of(need);
   if (!bytes) {
     throw Error(
         fmt::format("{}: {}x{}x{} points are more than any memory holds", name, dims.x, dims.y, dims.z));
   }
   if (*bytes > memory) {
-    throw Error(fmt::format("{}: {}x{}x{} points need {} of memory, and {} are free", name, dims.x, dims.y,
-                            dims.z, gigabytes(*bytes), gigabytes(memory)));
+    throw TooLarge(fmt::format("{}: {}x{}x{} points need {} of memory, and {} are free", name, dims.x, dims.y,
+                               dims.z, byte_text(*bytes), byte_text(memory)),
+                   need, memory);
   }
 }
 

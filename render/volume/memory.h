@@ -4,7 +4,11 @@
 #include <filesystem>
 #include <glm/ext/vector_uint3_sized.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
+
+#include "presets/error.h"
+#include "render/volume/grid_part.h"
 
 namespace crest {
 
@@ -18,9 +22,30 @@ std::uint64_t group_memory(const std::filesystem::path& membership, const std::f
 /// a * b, or nothing when it does not fit.
 std::optional<std::uint64_t> checked_product(std::uint64_t a, std::uint64_t b);
 
-/// What reading a volume of `dims` points takes: its float32 values, and `bytes_per_point` more while it is
-/// read. Throws Error when an axis has fewer than 2 points, the sizes overflow, or that is over `memory`.
-void require_memory(std::string_view name, glm::u64vec3 dims, std::uint64_t bytes_per_point,
-                    std::uint64_t memory);
+/// What a volume takes while it is read.
+struct MemoryNeed {
+  GridPart part;
+  std::uint64_t bytes_per_point = 0;  ///< of the points that are taken
+  std::uint64_t besides = 0;          ///< bytes, of any part
+  bool operator==(const MemoryNeed&) const = default;
+};
+/// "1.5 GB", "340 MB".
+std::string byte_text(std::uint64_t bytes);
+/// Nothing where it is more than 64 bits hold.
+std::optional<std::uint64_t> bytes_of(const MemoryNeed& need);
+/// The same part at the smallest stride that fits, no smaller than it is; nothing where none does.
+std::optional<GridPart> part_that_fits(const MemoryNeed& need, std::uint64_t memory);
+
+/// A volume that takes more memory than it may.
+struct TooLarge : Error {
+  TooLarge(const std::string& text, const MemoryNeed& what, std::uint64_t bytes)
+      : Error(text), need(what), memory(bytes) {}
+  MemoryNeed need;
+  std::uint64_t memory;
+};
+
+/// Throws Error when an axis has fewer than 2 points or the sizes overflow, and TooLarge when the volume
+/// takes more than `memory`.
+void require_memory(std::string_view name, const MemoryNeed& need, std::uint64_t memory);
 
 }  // namespace crest

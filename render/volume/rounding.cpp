@@ -1,8 +1,6 @@
 #include "render/volume/rounding.h"
 
 #include <fmt/core.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,67 +10,56 @@
 namespace crest {
 namespace {
 
-using Range = tbb::blocked_range<std::size_t>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Rounding {
-  double min = infinity, max = -infinity;  ///< of the finite values, before they are rounded
-  std::size_t merged = 0;  ///< rounded where float32 numbers are further apart than the values
-  double largest_change = 0;
-};
-
-Rounding join(const Rounding& a, const Rounding& b) {
-  return {std::min(a.min, b.min), std::max(a.max, b.max), a.merged + b.merged,
-          std::max(a.largest_change, b.largest_change)};
-}
-
 double float_spacing(double value) {
   const float magnitude = float(std::abs(value));
   return double(std::nextafter(magnitude, std::numeric_limits<float>::infinity())) - double(magnitude);
 }
 
 template <class T>
-Rounding rounding_of(std::span<const std::byte> bytes, std::size_t stride, LinearMap map) {
-  const std::size_t count = (bytes.size() / sizeof(T) + stride - 1) / stride;
+Rounding rounding_of_type(std::span<const std::byte> bytes, std::size_t count, std::size_t stride,
+                          LinearMap map) {
   const double step = std::is_integral_v<T> ? std::abs(map.slope) : 0;
-  return tbb::parallel_reduce(
-      Range(0, count), Rounding(),
-      [&](const Range& part, Rounding sum) {
-        for (std::size_t i = part.begin(); i != part.end(); ++i) {
-          T stored;
-          std::memcpy(&stored, bytes.data() + i * stride * sizeof(T), sizeof(T));
-          const auto exact = mapped(stored, map);
-          const double value = double(exact);
-          if (!std::isfinite(value)) continue;
-          sum.min = std::min(sum.min, value);
-          sum.max = std::max(sum.max, value);
-          const double change = double(std::abs(mapped_to_float(stored, map) - exact));
-          if (change == 0 || float_spacing(value) <= step) continue;
-          ++sum.merged;
-          sum.largest_change = std::max(sum.largest_change, change);
-        }
-        return sum;
-      },
-      join);
-}
-
-Rounding rounding_of(std::span<const std::byte> bytes, ScalarType type, std::size_t stride, LinearMap map) {
-  Rounding rounding;
-  with_scalar_type(type, [&](auto zero) {
-    using T = decltype(zero);
-    if constexpr (std::is_arithmetic_v<T>) rounding = rounding_of<T>(bytes, stride, map);
-  });
-  return rounding;
+  Rounding sum;
+  for (std::size_t i = 0; i < count; ++i) {
+    T stored;
+    std::memcpy(&stored, bytes.data() + i * stride * sizeof(T), sizeof(T));
+    const auto exact = mapped(stored, map);
+    const double value = double(exact);
+    if (!std::isfinite(value)) continue;
+    sum.min = std::min(sum.min, value);
+    sum.max = std::max(sum.max, value);
+    const double change = double(std::abs(mapped_to_float(stored, map) - exact));
+    if (change == 0 || float_spacing(value) <= step) continue;
+    ++sum.merged;
+    sum.largest_change = std::max(sum.largest_change, change);
+  }
+  return sum;
 }
 
 }  // namespace
 
-std::string rounding_note(std::span<const std::byte> bytes, ScalarType type, std::size_t stride,
-                          LinearMap map) {
+Rounding joined(const Rounding& a, const Rounding& b) {
+  return {std::min(a.min, b.min), std::max(a.max, b.max), a.merged + b.merged,
+          std::max(a.largest_change, b.largest_change)};
+}
+
+bool may_round(ScalarType type, LinearMap map) {
+  if (type == ScalarType::float32 || type == ScalarType::float16) return false;
+  return size_of(type) >= 4 || map != LinearMap();
+}
+
+Rounding rounding_of(std::span<const std::byte> bytes, ScalarType type, std::size_t count, std::size_t stride,
+                     LinearMap map) {
+  Rounding rounding;
+  with_scalar_type(type, [&](auto zero) {
+    using T = decltype(zero);
+    if constexpr (std::is_arithmetic_v<T>) rounding = rounding_of_type<T>(bytes, count, stride, map);
+  });
+  return rounding;
+}
+
+std::string rounding_note(const Rounding& rounding, ScalarType type, LinearMap map) {
   constexpr double few_levels = 4096, float_integers = 1 << 24;
-  const bool may_lose = (size_of(type) >= 4 && type != ScalarType::float32) || map != LinearMap();
-  if (!may_lose || type == ScalarType::float32 || type == ScalarType::float16) return {};
-  const Rounding rounding = rounding_of(bytes, type, stride, map);
   if (rounding.merged == 0) return {};
   const double width = rounding.max - rounding.min;
   const double spacing = float_spacing(std::max(std::abs(rounding.min), std::abs(rounding.max)));

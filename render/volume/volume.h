@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "presets/transfer_function.h"
+#include "render/volume/grid_part.h"
 #include "render/volume/voxels.h"
 
 namespace crest {
@@ -68,7 +69,8 @@ struct Volume {
   bool is_in_patient = false;
   std::string name;  ///< short, for titles
   VolumeFile file;
-  std::string note;  ///< what reading it took, e.g. "first of 3 components"; or empty
+  std::optional<GridPart> part;  ///< that was taken of its file's grid; nothing where that is all of it
+  std::string note;              ///< what reading it took, e.g. "first of 3 components"; or empty
 
   std::size_t index(int i, int j, int k) const {
     return std::size_t(i) +

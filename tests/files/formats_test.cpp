@@ -5,7 +5,9 @@
 #include "files.h"
 #include "presets/error.h"
 #include "render/files/load.h"
+#include "render/files/open_choice.h"
 #include "render/volume/random.h"
+#include "render/volume/take_part.h"
 
 namespace crest::test {
 namespace {
@@ -54,6 +56,9 @@ void expect_small_volume(const Volume& volume, ScalarType type, bool nifti_axes)
   const glm::dvec3 origin = nifti_axes ? glm::dvec3(-10, -20, 30) : glm::dvec3(10, 20, 30);
   EXPECT_LT(glm::distance(volume.grid.origin, origin), 1e-6);
   ASSERT_EQ(volume.values.size(), std::size_t(points));
+  const bool is_kept = is_integer(type) && size_of(type) <= 2;
+  EXPECT_EQ(volume.values.are_floats(), !is_kept) << name_of(type);
+  EXPECT_EQ(volume.values.byte_count(), std::size_t(points) * (is_kept ? size_of(type) : sizeof(float)));
   for (int i = 0; i < points; ++i)
     ASSERT_EQ(volume.values[std::size_t(i)], float(stored_value(type, i))) << i;
 }
@@ -123,8 +128,34 @@ TEST_P(EveryFormat, UpperCaseSymlinksAndOddNamesAreRead) {
 
 TEST_P(EveryFormat, TooLittleMemoryIsRefused) {
   const std::string file = write_sample(GetParam().sample(int16, GetParam().orders.front()));
-  EXPECT_THROW(load_volume(file, {.memory = points * sizeof(float)}), Error);
+  EXPECT_THROW(load_volume(file, {.memory = points * sizeof(std::int16_t)}), ChoiceNeeded);
   EXPECT_NO_THROW(load_volume(file, {.memory = points * 64}));
+}
+
+/// As NumPy cuts: values[0:3:2, :, 1:5:2]; every format, also where the values are text or compressed.
+TEST_P(EveryFormat, PartsAreReadAlone) {
+  const Format& format = GetParam();
+  for (const ScalarType type : {int16, float32}) {
+    const std::string file = write_sample(format.sample(type, format.orders.back()));
+    const Volume whole = load_volume(file), part = load_volume(file + "?crop=1:5,:,:3&stride=2,1,2");
+    ASSERT_EQ(part.grid.dims, glm::ivec3(2, 4, 2));
+    for (int k = 0; k < 2; ++k)
+      for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 2; ++i)
+          ASSERT_EQ(part.at(i, j, k), whole.at(1 + 2 * i, j, 2 * k)) << i << " " << j << " " << k;
+    const glm::dvec3 spacing = whole.grid.spacing;
+    EXPECT_EQ(part.grid.spacing, spacing * glm::dvec3(2, 1, 2));
+    EXPECT_EQ(part.grid.origin, whole.grid.origin + spacing * glm::dvec3(1, 0, 0));
+    EXPECT_EQ(part.file_type, type);
+    EXPECT_FALSE(whole.part);
+    ASSERT_TRUE(part.part);
+    EXPECT_EQ(part.part->full, glm::u64vec3(5, 4, 3));
+    EXPECT_EQ(full_grid(part), whole.grid);
+    EXPECT_TRUE(
+        part.note.starts_with("every 2nd point on x, every 2nd point on z of 5x4x3, of the box "
+                              "1:5,0:4,0:3"))
+        << part.note;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Volume, EveryFormat, testing::ValuesIn(formats),

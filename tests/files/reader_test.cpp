@@ -43,6 +43,15 @@ class FailingReader : public FileTest {
 
 TEST_F(FailingReader, OneThatDoesWellIsRead) { EXPECT_EQ(error_of("well"), "read"); }
 
+TEST_F(FailingReader, ValuesAreTakenAsTheyAreStored) {
+  const std::string file = write("v.nrrd", "");
+  const Volume volume = load_volume(file + "?do=stored", {.reader = bad_reader_program()});
+  EXPECT_FALSE(volume.values.are_floats());
+  EXPECT_EQ(volume.at(1, 0, 0), 2 * 'b' - 1.F);
+  EXPECT_EQ(error_of("half stored"), "its reader failed (it ended before its answer did)");
+  EXPECT_EQ(load_volume(file + "?do=part", {.reader = bad_reader_program()}).part->full, glm::u64vec3(4));
+}
+
 TEST_F(FailingReader, ItsEndIsAnError) {
   EXPECT_EQ(error_of("abort"), "its reader failed (signal 6, Aborted)");
 #ifndef __SANITIZE_ADDRESS__  // which makes it exit code 1
@@ -74,8 +83,8 @@ TEST_F(FailingReader, MemoryHasAnEnd) {
 TEST_F(FailingReader, AnAnswerIsHeldAgainstItself) {
   for (const char* what : {"short", "unfinished"})
     EXPECT_EQ(error_of(what), "its reader failed (it ended before its answer did)") << what;
-  for (const char* what :
-       {"garbage", "deep", "endless", "count", "negative", "flat", "spacing", "other", "wide", "raw"})
+  for (const char* what : {"garbage", "deep", "endless", "count", "negative", "flat", "spacing", "other",
+                           "wide", "raw", "doubles", "no slope", "other part", "no stride"})
     EXPECT_EQ(error_of(what), "its reader failed (its answer makes no sense)") << what;
   EXPECT_NE(error_of("huge").find("memory"), std::string::npos) << error_of("huge");
 }

@@ -99,7 +99,7 @@ TEST_F(StackTest, TruncatedImagesAreErrors) {
 
 TEST_F(StackTest, TooLittleMemoryIsRefused) {
   const std::string file = write_image("pages.tif", OIIO::TypeUInt16, 1, 5);
-  EXPECT_THROW(load_volume(file, {.memory = 4 * 3 * 5 * 4 - 1}), std::exception);
+  EXPECT_THROW(load_volume(file, {.memory = 4 * 3 * 5 * 2}), std::exception);
   EXPECT_NO_THROW(load_volume(file, {.memory = 4 * 3 * 5 * 8}));
 }
 

@@ -15,6 +15,16 @@ class Opening_ : public Studio {
 };
 
 class ChoiceOfOptions : public Opening_ {};
+/// A volume of 64 MB, and so many bytes for it.
+class PartForm : public Opening_ {
+ protected:
+  void ask_part(std::uint64_t memory, Query query = {}) {
+    OpenChoice choice{ChoiceKind::part, "/data/big.nrrd", std::move(query), 0, {}};
+    choice.need = {part_from_query("big", choice.query, {400, 400, 400}), 1};
+    choice.memory = memory;
+    ask(std::move(choice));
+  }
+};
 class RawForm : public Opening_ {
  protected:
   void ask_raw(const char* path, std::uint64_t bytes, Query query = {}) {
@@ -100,6 +110,44 @@ TEST_F(ChoiceOfOptions, AWindowThatIsOpenStaysOpen) {
   click("close settings");
   EXPECT_FALSE(has("theme/light"));
   EXPECT_TRUE(has("open chosen"));
+}
+
+TEST_F(PartForm, TheStrideThatFitsIsOneKeyAway) {
+  ask_part(3'000'000);
+  EXPECT_TRUE(has("part fits"));
+  EXPECT_EQ(key_of(ImGuiKey_Enter).open_volume, "/data/big.nrrd?stride=3");
+}
+
+TEST_F(PartForm, WhatDoesNotFitIsNotOpened) {
+  ask_part(3'000'000);
+  type("##stride", "2");
+  EXPECT_TRUE(has("part refused"));
+  EXPECT_FALSE(press_on("open chosen").open_volume);
+  type("##stride", "4");
+  EXPECT_EQ(press_on("open chosen").open_volume, "/data/big.nrrd?stride=4");
+}
+
+TEST_F(PartForm, ABoxInTheMiddleIsTwoClicksAway) {
+  ask_part(10'000'000, {{"frame", "2"}});
+  click("part box");
+  EXPECT_EQ(press_on("open chosen").open_volume, "/data/big.nrrd?crop=100:300,100:300,100:300&frame=2");
+}
+
+TEST_F(PartForm, TypedNumbersMakeTheBox) {
+  ask_part(10'000'000);
+  type("##box x0", "10");
+  type("##box x1", "5");
+  EXPECT_TRUE(has("part refused"));
+  EXPECT_FALSE(press_on("open chosen").open_volume);
+  type("##box x1", "50");
+  EXPECT_EQ(press_on("open chosen").open_volume, "/data/big.nrrd?crop=10:50,100:300,100:300");
+}
+
+TEST_F(PartForm, WhatNoStrideMakesFitIsStillAsked) {
+  ask_part(5);
+  EXPECT_TRUE(has("part refused"));
+  EXPECT_FALSE(key_of(ImGuiKey_Enter).open_volume);
+  EXPECT_TRUE(key_of(ImGuiKey_Escape).cancel_opening);
 }
 
 TEST_F(RawForm, WhatTheNameSaysIsOneKeyAway) {

@@ -38,6 +38,18 @@ std::string with_note(const std::string& note) {
   return text.insert(text.find(R"("note":")") + 8, note);
 }
 
+/// With values that stay as they are stored.
+std::string with_stored(const std::string& stored) {
+  std::string text = volume();
+  return text.insert(text.rfind('}'), R"(,"stored":)" + stored);
+}
+
+std::string with_part(const std::string& full, const std::string& stride) {
+  std::string text = volume();
+  return text.insert(text.find(R"(,"type")"), R"(,"part":{"full":)" + full + R"(,"first":[0,0,0],"end":)" +
+                                                  full + R"(,"stride":)" + stride + "}");
+}
+
 /// Never silent, and never done.
 [[noreturn]] void drip() {
   while (true) {
@@ -135,6 +147,14 @@ int main(int argc, char** argv) {
   if (what == "other")
     std::cout << R"({"volume":7,"values":8})"
               << "\n";
+  if (what == "stored") std::cout << with_stored(R"({"type":0,"slope":2,"intercept":-1})") << "abcdefgh";
+  if (what == "half stored") std::cout << with_stored(R"({"type":2,"slope":1,"intercept":0})") << "abcdefgh";
+  if (what == "doubles")
+    std::cout << with_stored(R"({"type":9,"slope":1,"intercept":0})") << voxels << voxels;
+  if (what == "no slope") std::cout << with_stored(R"({"type":0,"slope":null,"intercept":0})") << "abcdefgh";
+  if (what == "part") std::cout << with_part("[4,4,4]", "[2,2,2]") << voxels;
+  if (what == "other part") std::cout << with_part("[6,4,4]", "[2,2,2]") << voxels;
+  if (what == "no stride") std::cout << with_part("[4,4,4]", "[2,0,2]") << voxels;
   if (what == "control")
     std::cout << R"({"error":"a\u001b[31m\nb"})"
               << "\n";

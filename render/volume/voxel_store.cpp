@@ -1,0 +1,74 @@
+#include "render/volume/voxel_store.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace crest {
+namespace {
+
+template <class T>
+T value_at(std::span<const std::byte> bytes, std::size_t i) {
+  T value;
+  std::memcpy(&value, bytes.data() + i * sizeof(T), sizeof(T));
+  return value;
+}
+
+bool is_finite(LinearMap map) { return std::isfinite(map.slope) && std::isfinite(map.intercept); }
+
+}  // namespace
+
+bool is_kept_as_stored(ScalarType type) { return is_integer(type) && size_of(type) <= 2; }
+std::size_t held_size_of(ScalarType type) { return is_kept_as_stored(type) ? size_of(type) : sizeof(float); }
+
+Voxels::Stored make_stored(ScalarType type, std::size_t count) {
+  switch (type) {
+    case ScalarType::uint8:
+      return std::vector<std::uint8_t>(count);
+    case ScalarType::int8:
+      return std::vector<std::int8_t>(count);
+    case ScalarType::uint16:
+      return std::vector<std::uint16_t>(count);
+    case ScalarType::int16:
+      return std::vector<std::int16_t>(count);
+    default:
+      return std::vector<float>(count);
+  }
+}
+
+VoxelStore::VoxelStore(ScalarType type, std::size_t count, std::optional<LinearMap> map) : type_(type) {
+  const bool keeps = is_kept_as_stored(type) && map && is_finite(*map);
+  stored_ = make_stored(keeps ? type : ScalarType::float32, count);
+  if (keeps) map_ = *map;
+}
+
+void VoxelStore::put(std::size_t first, std::size_t count, std::span<const std::byte> bytes,
+                     std::size_t stride, LinearMap map) {
+  with_scalar_type(type_, [&](auto zero) {
+    using T = decltype(zero);
+    if (auto* floats = std::get_if<std::vector<float>>(&stored_)) {
+      float* out = floats->data() + first;
+      for (std::size_t i = 0; i < count; ++i) out[i] = mapped_to_float(value_at<T>(bytes, i * stride), map);
+    } else if constexpr (std::is_integral_v<T> && sizeof(T) <= 2) {
+      T* out = std::get<std::vector<T>>(stored_).data() + first;
+      if (stride == 1)
+        std::memcpy(out, bytes.data(), count * sizeof(T));
+      else
+        for (std::size_t i = 0; i < count; ++i) out[i] = value_at<T>(bytes, i * stride);
+    }
+  });
+}
+
+void put_slice(VoxelStore& store, const GridPart& part, std::uint64_t k, std::span<const std::byte> bytes,
+               ScalarType type, SampleOf sample, LinearMap map) {
+  const glm::u64vec3 dims = part.dims();
+  tbb::parallel_for(std::uint64_t(0), dims.y, [&](std::uint64_t j) {
+    const std::uint64_t point = part.first.x + part.full.x * (part.first.y + j * part.stride.y);
+    store.put(dims.x * (j + dims.y * k), dims.x,
+              bytes.subspan((point * sample.count + sample.index) * size_of(type)),
+              sample.count * part.stride.x, map);
+  });
+}
+
+}  // namespace crest
