@@ -12,6 +12,7 @@
 #include "presets/nearest_word.h"
 #include "presets/number_text.h"
 #include "presets/preset_json.h"
+#include "presets/printable.h"
 
 namespace crest {
 namespace {
@@ -58,7 +59,10 @@ void read(const Json& json, const Path& path, bool& value, const FieldRule&) {
 
 void read(const Json& json, const Path& path, std::string& text, const FieldRule&) {
   if (!json.is_string()) fail(path, fmt::format("{} is not a text in quotes", summary_of(json)));
-  text = json.get<std::string>();
+  const auto& told = json.get_ref<const std::string&>();
+  if (!is_utf8(told))
+    fail(path, fmt::format("\"{}\" is no UTF-8", printable(told)));  // which a file cannot hold
+  text = told;
 }
 
 void read(const Json& json, const Path& path, std::vector<std::string>& texts, const FieldRule& rule) {

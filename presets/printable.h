@@ -11,4 +11,7 @@ namespace crest {
 /// ends with "...". What is printable stays as it is.
 std::string printable(std::string_view text, std::size_t longest = 2000);
 
+/// Whether all of a text is UTF-8 (RFC 3629).
+bool is_utf8(std::string_view text);
+
 }  // namespace crest

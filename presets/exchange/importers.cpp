@@ -12,6 +12,7 @@
 #include "presets/exchange/words.h"
 #include "presets/json.h"
 #include "presets/preset_json.h"
+#include "presets/printable.h"
 
 namespace crest {
 namespace {
@@ -72,6 +73,7 @@ std::vector<Imported> import_presets(std::string_view content, const std::filesy
     std::vector<Imported> all = importer->read(content);
     for (Imported& one : all) {
       if (one.preset.name.empty()) one.preset.name = name.stem().string();
+      one.preset.name = printable(one.preset.name);  // whatever bytes it had there
       preset_from_json(
           preset_to_json(one.preset, Fields::telling));  // what a preset may not hold is not let in
     }

@@ -2,7 +2,7 @@
 // libFuzzer makes of them, which takes longer, is run.sh's.
 #include <gtest/gtest.h>
 
-#include <cctype>
+#include <cstdlib>
 #include <ostream>
 #include <random>
 
@@ -44,14 +44,18 @@ TEST_P(EveryTarget, ReadsItsSeeds) {
   }
 }
 
+// CREST_FUZZ_ROUNDS=1000 tries so many times as many, and says how many those were.
 TEST_P(EveryTarget, ReadsOrRefusesWhatIsDamaged) {
+  const char* rounds = std::getenv("CREST_FUZZ_ROUNDS");
+  const int count = GetParam().mutations * (rounds ? std::atoi(rounds) : 1);
   const std::vector<std::string> seeds = GetParam().seeds(), words = words_of(seeds);
   std::mt19937 random(15);
-  for (int i = 0; i < GetParam().mutations; ++i) {
+  for (int i = 0; i < count; ++i) {
     const std::string found = find_in(GetParam(), mutated(seeds, words, random));
     ASSERT_EQ(found, "") << "mutation " << i;
   }
   EXPECT_EQ(find_in(GetParam(), ""), "");
+  if (rounds) fmt::print("{} {}\n", GetParam().name, count);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, EveryTarget, testing::ValuesIn(targets().begin(), targets().end()),

@@ -309,6 +309,16 @@ TEST(Importers, RefuseWhatAPresetCannotHold) {
   EXPECT_NE(error(many, "a.json").find("more than 100000 points"), std::string::npos);
 }
 
+// XML that does not say that it is in Latin-1; what is kept has to be the same when it is read again.
+TEST(Importers, TakeNamesThatAreNoUtf8) {
+  const auto all = import_presets(
+      "<MRML><VolumeProperty name=\"Sch\xe4"
+      "del\" colorTransfer=\"4 0 1 1 1\" scalarOpacity=\"4 0 0 1 1\"/></MRML>",
+      "presets.xml");
+  EXPECT_EQ(all.at(0).preset.name, "Sch\\xe4del");
+  EXPECT_EQ(parse_preset(write_preset(all.at(0).preset), "again"), all.at(0).preset);
+}
+
 TEST(Inviwo, PointsOfOnePositionStayWhole) {
   const auto all = read(R"(<InviwoWorkspace version="3"><type content="1" /><Points>
     <Point><pos content="5" /><rgba x="1" y="0" z="0" w="0.9" /></Point>

@@ -130,6 +130,13 @@ TEST(SetField, RefusesWrongValues) {
   EXPECT_EQ(error_of("version=2"), "version: 2 is of a newer Crest: this one reads up to 1");
 }
 
+// A file could not hold it: it would be another one when it is read again.
+TEST(SetField, RefusesTextThatIsNoUtf8) {
+  EXPECT_NE(error_of("name=a\xd7").find("name: \"a\\xd7\" is no UTF-8"), std::string::npos)
+      << error_of("name=a\xd7");
+  EXPECT_EQ(set_field(plain(), "name=\u00e4\u2603").name, "\u00e4\u2603");
+}
+
 TEST(AssignmentsBetween, MakeOneRenderingOfAnother) {
   Rendering other;
   other.mode = Mode::peak_only;
