@@ -63,7 +63,7 @@ namespace {
 void read_and_run(int argc, char** argv, const std::string& version) {
   CommandLine line({description, usage, "crest " + version});
   const Options options = line.options();
-  Action chosen;
+  Command chosen;
   add_studio(options, chosen);
   add_render_command(options, chosen);
   add_compare_command(options, chosen);

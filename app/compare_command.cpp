@@ -97,7 +97,7 @@ void compare_modes(const CompareOptions& options) {
   fmt::print("{}\n", json.dump(2));
 }
 
-void add_compare_command(Options app, Action& chosen) {
+void add_compare_command(Options app, Command& chosen) {
   auto options = std::make_shared<CompareOptions>();
   Options command = app.add_command("compare", "Render the four modes side by side, labelled", "Pictures");
   command.add("VOLUME", options->scene.volume, "What to render (crest --help)")

@@ -109,7 +109,7 @@ void export_preset(const ExportCommandOptions& options) {
 
 }  // namespace
 
-void add_export_command(Options app, Action& chosen) {
+void add_export_command(Options app, Command& chosen) {
   auto options = std::make_shared<ExportCommandOptions>();
   Options command = app.add_command("export", "Write a preset for another program", "Presets elsewhere");
   std::string formats;

@@ -70,7 +70,7 @@ void import_file(const ImportOptions& options) {
 
 }  // namespace
 
-void add_import_command(Options app, Action& chosen) {
+void add_import_command(Options app, Command& chosen) {
   auto options = std::make_shared<ImportOptions>();
   Options command =
       app.add_command("import", "Read another program's transfer function", "Presets elsewhere");

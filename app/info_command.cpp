@@ -72,7 +72,7 @@ void print_info(const InfoOptions& options) {
 
 }  // namespace
 
-void add_info_command(Options app, Action& chosen) {
+void add_info_command(Options app, Command& chosen) {
   auto options = std::make_shared<InfoOptions>();
   Options command = app.add_command("info", "Print what a volume holds, as JSON", "Look");
   command.add("VOLUME", options->volume, "What to read (crest --help)").required().offers(builtin_sources());

@@ -81,7 +81,7 @@ void print_list(const ListOptions& options, const OptionTable& table) {
 
 }  // namespace
 
-void add_list_command(Options app, Action& chosen) {
+void add_list_command(Options app, Command& chosen) {
   auto options = std::make_shared<ListOptions>();
   Options command =
       app.add_command("list", "List volumes, formats, methods, presets, devices and more", "Look");

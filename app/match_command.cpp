@@ -64,7 +64,7 @@ void match(const MatchOptions& options) {
 
 }  // namespace
 
-void add_match_command(Options app, Action& chosen) {
+void add_match_command(Options app, Command& chosen) {
   auto options = std::make_shared<MatchOptions>();
   Options command = app.add_command("match", "Carry a preset's transfer function from one volume to another",
                                     "Presets elsewhere");

@@ -95,7 +95,7 @@ void print_peaks(const PeaksOptions& options) {
 
 }  // namespace
 
-void add_peaks_command(Options app, Action& chosen) {
+void add_peaks_command(Options app, Command& chosen) {
   auto options = std::make_shared<PeaksOptions>();
   Options command = app.add_command("peaks", "Print a preset's peaks and its peak table, as JSON", "Look");
   command.add("PRESET", options->preset, "A preset's file, or its name in the library")

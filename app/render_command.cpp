@@ -187,7 +187,7 @@ void yield_to_typed(const RenderOptions& options, Options command) {
 
 }  // namespace
 
-void add_render_command(Options app, Action& chosen) {
+void add_render_command(Options app, Command& chosen) {
   auto options = std::make_shared<RenderOptions>();
   Options command = app.add_command("render", "Render one picture", "Pictures");
   command.add("VOLUME", options->scene.volume, "What to render (crest --help)")

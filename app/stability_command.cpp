@@ -75,7 +75,7 @@ void run_stability(const StabilityOptions& options) {
 
 }  // namespace
 
-void add_stability_command(Options app, Action& chosen) {
+void add_stability_command(Options app, Command& chosen) {
   auto options = std::make_shared<StabilityOptions>();
   Options command =
       app.add_command("stability", "Stiff and extreme cases: what is kept, and what is not", "Measure");

@@ -216,7 +216,7 @@ void add_studio_options(Options to, StudioOptions& options) {
 
 }  // namespace
 
-void add_studio(Options app, Action& chosen) {
+void add_studio(Options app, Command& chosen) {
   auto options = std::make_shared<StudioOptions>();
   const auto run = [options] {
     require_logs(*options);

@@ -149,8 +149,7 @@ bool editor_toolbar(TransferFunction& tf, EditorState& editor, WidgetState& widg
   ImGui::SameLine();
   const float rest = ImGui::CalcTextSize("logFit").x + ImGui::GetFrameHeight() +
                      3 * ImGui::GetStyle().ItemSpacing.x + 2 * ImGui::GetStyle().FramePadding.x;
-  value_curve_choice(editor, widgets,
-                     std::clamp(ImGui::GetContentRegionAvail().x - rest, scaled(60), scaled(112)));
+  value_curve_choice(editor, widgets, ImGui::GetContentRegionAvail().x - rest);
   ImGui::SameLine();
   ImGui::Checkbox("log", &editor.opacity_axis.logarithmic);
   note_item(widgets, "log opacity");

@@ -8,6 +8,7 @@
 
 #include "ui/histogram_cache.h"
 #include "ui/move_points.h"
+#include "ui/shown_values.h"
 #include "ui/value_axis.h"
 
 namespace crest {
@@ -46,6 +47,7 @@ struct EditorState {
   std::optional<ValueRange> visible;      ///< the part of the axis in sight; without it, all
   std::optional<Domain> shown_domain;     ///< in which the TF was shown in the last frame
   std::optional<ValueRange> shown_range;  ///< of the volume then
+  ShownCurve shown_curve;                 ///< the TF as it was shown last
   OpacityAxis opacity_axis;
   ValueCurve value_curve = ValueCurve::log_values;
   bool suggestions = true;               ///< marks of the peaks that the volume suggests

@@ -61,10 +61,10 @@ void sentences(const char* heading, const std::vector<std::string>& list, ImU32 
 
 void list_of_formats(StudioState& state, float height) {
   ExportDialog& dialog = state.export_dialog;
-  ImGui::BeginChild("formats", {scaled(150), height}, true, ImGuiWindowFlags_NavFlattened);
+  ImGui::BeginChild("formats", {scaled(190), height}, true, ImGuiWindowFlags_NavFlattened);
   for (int i = 0; i < int(exporters().size()); ++i) {
     const Exporter& exporter = exporters()[std::size_t(i)];
-    if (ImGui::Selectable(std::string(exporter.name).c_str(), dialog.format == i,
+    if (ImGui::Selectable(std::string(exporter.title).c_str(), dialog.format == i,
                           ImGuiSelectableFlags_DontClosePopups))
       dialog.format = i;
     note_item(state.widgets, fmt::format("export/{}", exporter.name));
@@ -134,7 +134,8 @@ void export_dialog(const Document& document, StudioState& state, const StudioInp
   ImGui::SameLine();
   ImGui::BeginChild("words", {0, scaled(300)}, true, ImGuiWindowFlags_NavFlattened);
   const Exporter& exporter = exporters()[std::size_t(dialog.format)];
-  ImGui::TextUnformatted(fmt::format("{}: {}", exporter.extension, exporter.summary).c_str());
+  ImGui::TextUnformatted(
+      fmt::format("{}, {}: {}", exporter.name, exporter.extension, exporter.summary).c_str());
   ImGui::Spacing();
   if (exporter.is_table) table_size(state);
   if (!dialog.error.empty())

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "ui/card.h"
+#include "ui/navigation.h"
 #include "ui/preset_details.h"
 #include "ui/questions.h"
 #include "ui/style.h"
@@ -67,8 +68,10 @@ const LibraryEntry* cards(StudioState& state, std::span<const LibraryEntry> entr
     const std::string tags = tags_text(entry.tags);
     const Card what{"library/" + entry.name, entry.picture, entry.title,
                     tags.empty() ? kind : kind + "; " + tags, entry.notes};
-    if (card(state.widgets, what)) library.chosen = entry.name;
-    const bool is_opened = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    const bool is_pressed = card(state.widgets, what);
+    if (is_pressed) library.chosen = entry.name;
+    const bool is_opened = (is_pressed && key_pressed(key::enter)) ||
+                           (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
     if (library.chosen == entry.name) {
       chosen = &entry;
       ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), palette().accent,
@@ -150,9 +153,10 @@ void library_window(StudioState& state, const StudioInputs& inputs, StudioReques
   if (named_button(state.widgets, "Add the present preset",
                    "Keeps a copy of what is being edited in your own folder"))
     requests.library = {LibraryChange::add, {}, ""};
-  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
-  // In the field for a name both keys are about the name
-  if (chosen && !was_renaming && pressed(ImGuiKey_Enter)) open(*chosen, TfParts::both, requests);
+  // In the field for a name both keys are about the name; Enter on a button presses that
+  const bool is_on_widget = is_navigating() && !ImGui::GetIO().WantTextInput;
+  if (chosen && !was_renaming && !is_on_widget && key_pressed(key::enter))
+    open(*chosen, TfParts::both, requests);
   if (was_renaming && key_pressed(key::escape)) library.renamed.reset();
   const bool closes =
       named_button(state.widgets, "Close") || (!was_renaming && escape_pressed(state.widgets));

@@ -20,17 +20,24 @@ constexpr Domain shown_domain(const TransferFunction& tf, const StudioSettings& 
   return !has_volume ? tf.domain : settings.data_values ? Domain::data : Domain::normalized;
 }
 
+/// A TF, and what shown_values() makes of it: kept from frame to frame, since most of them change nothing.
+struct ShownCurve {
+  TransferFunction stored, shown;
+  ValueRange volume;
+};
+
 /// Lets `edit` change the TF in shown values; `volume` is null where there is none. Returns what it does:
-/// whether something changed.
+/// whether something changed. `kept` is what an earlier call left there: of the same TF nothing is converted.
 template <class Edit>
-bool edit_shown(TransferFunction& tf, const StudioSettings& settings, const ValueRange* volume, Edit&& edit) {
-  const Domain shown = shown_domain(tf, settings, volume != nullptr);
-  if (shown == tf.domain) return edit();
-  const TransferFunction stored = tf;
-  tf = shown_values(stored, shown, *volume);
-  const TransferFunction before = tf;
+bool edit_shown(TransferFunction& tf, const StudioSettings& settings, const ValueRange* volume,
+                ShownCurve& kept, Edit&& edit) {
+  const Domain domain = shown_domain(tf, settings, volume != nullptr);
+  if (domain == tf.domain) return edit();
+  if (kept.shown.domain != domain || kept.volume != *volume || kept.stored != tf)
+    kept = {tf, shown_values(tf, domain, *volume), *volume};
+  tf = kept.shown;
   const bool changed = edit();
-  tf = tf == before ? stored : stored_values(tf, stored, *volume);
+  tf = tf == kept.shown ? kept.stored : stored_values(tf, kept.stored, *volume);
   return changed;
 }
 

@@ -132,7 +132,7 @@ bool main_area(Document& document, StudioState& state, const StudioInputs& input
                float height) {
   const float width = ImGui::GetContentRegionAvail().x;
   float& share = state.layout.side_share;
-  const float least = std::min(scaled(456) / width, 0.6F);
+  const float least = std::min(scaled(484) / width, 0.6F);
   share = std::clamp(share, least, std::max(least, 0.7F));
   const float side_width = std::floor(width * share);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});

@@ -129,9 +129,12 @@ void draw_surface_columns(ImDrawList& list, const Plot& plot, const Visibility& 
 
 }  // namespace
 
-void value_curve_choice(EditorState& editor, WidgetState& widgets, float width) {
+void value_curve_choice(EditorState& editor, WidgetState& widgets, float room) {
   int index = int(editor.value_curve);
-  if (choice(widgets, "##histogram", index, names, width)) editor.value_curve = ValueCurve(index);
+  float widest = 0;
+  for (const std::string_view name : names) widest = std::max(widest, choice_width(std::string(name)));
+  if (choice(widgets, "##histogram", index, names, std::clamp(room, scaled(60), widest)))
+    editor.value_curve = ValueCurve(index);
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
   tip("What lies behind the curve, by value:\n"
       "values: how many voxels have it\n"

@@ -10,8 +10,8 @@
 
 namespace crest {
 
-/// A combo box for what lies behind the transfer function.
-void value_curve_choice(EditorState& editor, WidgetState& widgets, float width);
+/// A combo box for what lies behind the transfer function, as wide as its words, or as the room is.
+void value_curve_choice(EditorState& editor, WidgetState& widgets, float room);
 
 inline bool is_visibility(ValueCurve curve) {
   return curve == ValueCurve::visibility || curve == ValueCurve::log_visibility;

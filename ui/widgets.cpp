@@ -61,13 +61,20 @@ bool color_picker(const char* name, glm::dvec3& color) {
   return true;
 }
 
+float choice_width(const std::string& text) {
+  return ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight();
+}
+
 bool choice(WidgetState& state, const char* name, int& value, std::span<const std::string_view> names,
             float width) {
   const auto text_of = [&](std::size_t i) { return std::string(names[i]); };
   const std::size_t now = std::size_t(value);
+  const std::string text = now < names.size() ? text_of(now) : "mixed";
+  const bool has_room = choice_width(text) <= width || width <= 0;
   ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo(name, now < names.size() ? text_of(now).c_str() : "mixed",
-                                      ImGuiComboFlags_HeightLarge);
+  const bool open = ImGui::BeginCombo(
+      name, text.c_str(),
+      ImGuiComboFlags_HeightLarge | (has_room ? ImGuiComboFlags_None : ImGuiComboFlags_NoArrowButton));
   note_item(state, name);
   if (!open) return false;
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -213,7 +213,7 @@ std::string study_help() {
 
 }  // namespace
 
-void add_report_command(Options app, Action& chosen) {
+void add_report_command(Options app, Command& chosen) {
   auto options = std::make_shared<ReportOptions>();
   Options command =
       app.add_command("report", "Measure error against run time, and write a report", "Measure");

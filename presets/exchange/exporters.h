@@ -53,6 +53,7 @@ struct Exported {
 /// One format that presets are written to. A new one is a new file, and one line in the table.
 struct Exporter {
   std::string_view name;       ///< as the command line knows it
+  std::string_view title;      ///< as people call it
   std::string_view extension;  ///< with the dot
   std::string_view summary;    ///< one line
   /// Throws Error for what cannot be written.

@@ -1,5 +1,7 @@
 #include "render/gl/program_cache.h"
 
+#include <algorithm>
+
 #include "presets/error.h"
 #include "render/gl/program.h"
 #include "render/gl/program_files.h"
@@ -9,6 +11,8 @@ namespace crest::gl {
 GLuint ProgramCache::program(std::string_view vertex, std::string_view fragment,
                              const std::vector<std::string>& defines) {
   Variant& variant = variants_[{std::string(fragment), defines}];
+  variant.last_use = ++uses_;
+  if (variants_.size() > most_programs) drop_oldest();
   if (!variant.current) {
     try {
       variant.program = read_or_build(vertex, fragment, defines);
@@ -19,6 +23,10 @@ GLuint ProgramCache::program(std::string_view vertex, std::string_view fragment,
     variant.current = true;
   }
   return variant.program.id();
+}
+
+void ProgramCache::drop_oldest() {
+  variants_.erase(std::ranges::min_element(variants_, {}, [](const auto& v) { return v.second.last_use; }));
 }
 
 ProgramHandle ProgramCache::read_or_build(std::string_view vertex, std::string_view fragment,

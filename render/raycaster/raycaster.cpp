@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "presets/choices.h"
+#include "render/gl/draw_state.h"
 #include "render/gl/filter_weights.h"
 #include "render/gl/uniforms.h"
 #include "render/raycaster/bindings.h"
@@ -26,17 +27,6 @@ void clear(const gl::RenderTarget& target) {
   glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, transparent);
   if (target.has_counts()) glClearNamedFramebufferuiv(target.framebuffer(), GL_COLOR, 1, none);
 }
-
-/// Off at the end, also where something is thrown.
-struct DrawState {
-  DrawState() { glEnable(GL_SCISSOR_TEST); }
-  ~DrawState() {
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-  }
-  DrawState(const DrawState&) = delete;
-  DrawState& operator=(const DrawState&) = delete;
-};
 
 gl::VertexArrayHandle make_vertex_array() {
   GLuint id = 0;
@@ -92,7 +82,7 @@ void Raycaster::draw(const Scene& scene, const Camera& camera, gl::RenderTarget&
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
   glViewport(0, 0, target.size().x, target.size().y);
   glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
-  const DrawState state;
+  const gl::DrawState state;
   clear(target);
   if (needs.is_empty()) {
     if (after_pass) after_pass(0);
@@ -118,9 +108,6 @@ void Raycaster::draw_passes(const Scene& scene, const Camera& camera, const gl::
                                                  shader_defines(needs.features));
   bind_scene(*resources_, scene, classification_of(resources_->held, scene), needs, id);
   set_view(id, scene, camera, target.size());
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
   set_blending(needs.features.blend_mode, false);
   glBindVertexArray(vertex_array_.id());
   glUseProgram(id);

@@ -11,6 +11,7 @@
 #include "presets/error.h"
 #include "presets/names.h"
 #include "render/classify/stored_units.h"
+#include "render/gl/draw_state.h"
 #include "render/gl/uniforms.h"
 #include "render/resources/table_textures.h"
 #include "render/resources/texel_format.h"
@@ -215,7 +216,6 @@ void Vdls::draw_layers(const Prepared& p, const Camera& camera, glm::ivec2 size,
     set(program, "first_layer", layer);
     glDrawArrays(GL_TRIANGLES, 0, proxy.corners_beyond(layer));
   }
-  glDisable(GL_BLEND);
 }
 
 Vdls::Vdls(std::shared_ptr<Resources> resources) : resources_(std::move(resources)) {
@@ -237,15 +237,11 @@ void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& targ
   layers_.attach(target);
   glViewport(0, 0, target.size().x, target.size().y);
   glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
-  glEnable(GL_SCISSOR_TEST);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
+  const gl::DrawState state;
   glBindVertexArray(vertex_array_.id());
   const auto counts = set_up(prepared, camera, target);
   const Proxy proxy = make_proxy(prepared, camera, target.size(), counts);
   if (proxy.layers() > 0) draw_layers(prepared, camera, target.size(), proxy);
-  glDisable(GL_SCISSOR_TEST);
 }
 
 PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {

@@ -92,6 +92,24 @@ TEST_F(ProgramFiles, WhatTheDriverDoesNotTakeIsCompiledAgain) {
   EXPECT_EQ(compiled(), 0);
 }
 
+TEST_F(ProgramFiles, ThoseThatWereUsedLongestAgoAreLetGo) {
+  constexpr int most = int(gl::ProgramCache::most_programs);
+  gl::ProgramCache programs({}, folder);
+  const auto variant = [&](int i) {
+    return programs.program("fullscreen.vert", "present.frag", {"VARIANT " + std::to_string(i)});
+  };
+  const GLuint first = variant(0), second = variant(1);
+  for (int i = 2; i < most; ++i) variant(i);
+  EXPECT_EQ(variant(0), first) << "all have room";
+  EXPECT_EQ(programs.compiled(), most);
+  variant(most);
+  EXPECT_EQ(programs.count(), std::size_t(most));
+  EXPECT_EQ(variant(0), first) << "it was used again";
+  EXPECT_FALSE(glIsProgram(second));
+  EXPECT_NE(variant(1), 0u);
+  EXPECT_EQ(programs.compiled(), most + 1) << "it is read, not compiled";
+}
+
 TEST_F(ProgramFiles, AFolderThatCannotBeWrittenIsNoError) {
   std::ofstream(folder / "file") << "no folder";
   folder /= "file";

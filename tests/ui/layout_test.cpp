@@ -103,6 +103,10 @@ TEST_P(Layout, TheEditorAndTheCaptionsAreWhole) {
       EXPECT_LE(part_high.y, low.y) << part << i;
     }
   }
+  const auto& [curve_low, curve_high] = state->widgets.items["##histogram"];
+  EXPECT_GE(curve_high.x - curve_low.x, choice_width("values, log"));
+  EXPECT_GE(curve_high.x - curve_low.x + ImGui::GetFrameHeight(), choice_width("visibility, log"))
+      << "it fits without the arrow";
   EXPECT_GT(plot_high.x - plot_low.x, 300);
   EXPECT_GT(plot_high.y - plot_low.y, 120);
 }

@@ -1,5 +1,7 @@
 #include "ui/library_window.h"
 
+#include <imgui_internal.h>
+
 #include "tests/ui/harness.h"
 
 namespace crest::test {
@@ -22,6 +24,20 @@ class Library : public Studio {
     key_of(ImGuiKey_Backspace);
     for (const char c : text) ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(c));
     frames(3);
+  }
+
+  /// Whether the keyboard is on the widget with this label, of its window.
+  static bool focus_is_on(const char* label) {
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    return g.NavWindow && g.NavId == g.NavWindow->GetID(label);
+  }
+  /// By Tab, as far as it leads.
+  bool tab_to(const char* label) {
+    for (int i = 0; i < 60 && !focus_is_on(label); ++i) {
+      key_of(ImGuiKey_Tab);
+      frames(2);
+    }
+    return focus_is_on(label);
   }
 
   std::vector<LibraryEntry> entries;
@@ -67,6 +83,21 @@ TEST_F(Library, EnterOpensAndEscapeCloses) {
   key_of(ImGuiKey_Escape);
   frames(2);
   EXPECT_FALSE(has("library/onion"));
+}
+
+TEST_F(Library, EnterOnAButtonPressesThatAlone) {
+  click("library/onion");
+  ASSERT_TRUE(tab_to("Duplicate"));
+  const StudioRequests entered = key_of(ImGuiKey_Enter);
+  EXPECT_FALSE(entered.open_preset);
+  ASSERT_TRUE(entered.library);
+  EXPECT_EQ(entered.library->change, LibraryChange::duplicate);
+}
+
+TEST_F(Library, EnterOnACardOpensIt) {
+  click("library/onion");
+  ASSERT_TRUE(tab_to("library/fire"));
+  EXPECT_EQ(key_of(ImGuiKey_Enter).open_preset, "fire");
 }
 
 TEST_F(Library, IsSearchedByWordsAndTags) {

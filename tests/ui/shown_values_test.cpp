@@ -33,6 +33,29 @@ TEST(ShownValues, WhatIsLeftAloneStaysToTheBit) {
   EXPECT_EQ(shown_values(back, Domain::data, volume).points[3].value, 2000) << "what was typed is shown";
 }
 
+TEST(ShownValues, AreConvertedAgainOnlyWhereSomethingChanged) {
+  TransferFunction tf = normalized({{0, 0}, {0.5, 0.4}, {1, 0}});
+  const TransferFunction stored = tf;
+  const ValueRange volume{0, 100}, other_volume{0, 200};
+  ShownCurve kept;
+  double seen = 0;
+  const auto look = [&](const ValueRange& range) {
+    return edit_shown(tf, {}, &range, kept, [&] { return seen = tf.points[1].value, false; });
+  };
+  look(volume);
+  EXPECT_EQ(seen, 50);
+  kept.shown.points[1].value = 51;  // what is kept is what is shown
+  look(volume);
+  EXPECT_EQ(seen, 51);
+  EXPECT_EQ(tf, stored);
+  look(other_volume);
+  EXPECT_EQ(seen, 100);
+  tf.points[1].value = 0.25;
+  look(other_volume);
+  EXPECT_EQ(seen, 50);
+  EXPECT_EQ(tf.points[1].value, 0.25);
+}
+
 using ShownValuesInTheEditor = Studio;
 
 TEST_F(ShownValuesInTheEditor, ANormalizedCurveIsEditedInDataValues) {

@@ -1,9 +1,13 @@
 #include <fmt/core.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include "presets/error.h"
 #include "presets/names.h"
+#include "tests/paths.h"
 #include "tests/vdls/fixture.h"
 
 namespace crest::testing {
@@ -143,6 +147,22 @@ TEST_F(Layers, RefusesWhatItDoesNotRender) {
   holed.statistics = compute_statistics(holed.grid, holed.values);
   scene.volume = std::make_shared<const Volume>(holed);
   EXPECT_NE(why_not_vdls(scene).find("1 without"), std::string::npos);
+}
+
+// The window draws on after an error: nothing may stay on.
+TEST_F(Layers, LeaveNothingOnWhenTheyFail) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / ("crest-layers-" + std::to_string(::getpid()));
+  fs::copy(test::source_folder() / "render/shaders", folder);
+  std::ofstream(folder / "vdls_layers.frag", std::ios::app) << "}";
+  Vdls vdls(std::make_shared<Resources>(folder));
+  const Scene scene = dvr_scene(builtin("sphere?n=8"), "smooth-haze");
+  gl::RenderTarget target({8, 8}, false);
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
+  EXPECT_THROW(vdls.draw(scene, camera, target, {{0, 0}, {8, 8}}), Error);
+  EXPECT_FALSE(glIsEnabled(GL_SCISSOR_TEST));
+  EXPECT_FALSE(glIsEnabled(GL_BLEND));
+  fs::remove_all(folder);
 }
 
 }  // namespace
