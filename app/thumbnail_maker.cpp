@@ -26,7 +26,7 @@ struct Offscreen {
     if (job.volume ? original == job.volume : original && source == job.source) return;
     original = job.volume ? job.volume : std::make_shared<const Volume>(load_volume(job.source));
     source = job.volume ? "" : job.source;
-    small = std::make_shared<const Volume>(thinned(*original, most_points));
+    small = std::make_shared<const Volume>(with_at_most(*original, most_points));
     renderer.hold(small);
   }
 
@@ -44,7 +44,7 @@ struct Offscreen {
 
 }  // namespace
 
-Volume thinned(const Volume& volume, int most) {
+Volume with_at_most(const Volume& volume, int most) {
   const glm::ivec3 dims = volume.grid.dims;
   Volume small;
   small.name = volume.name;

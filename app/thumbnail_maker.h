@@ -74,6 +74,6 @@ class ThumbnailMaker {
 };
 
 /// The volume with some of its points, evenly spread, so that no axis has more than `most`; its box stays.
-Volume thinned(const Volume& volume, int most);
+Volume with_at_most(const Volume& volume, int most);
 
 }  // namespace crest

@@ -82,12 +82,12 @@ TEST(Thumbnail, IsTheMiddleOfAWiderOrHigherPicture) {
 
 TEST(Thinned, KeepsTheBoxAndTheField) {
   const Volume volume = make_builtin("linear?n=65");
-  const Volume small = thinned(volume, 17);
+  const Volume small = with_at_most(volume, 17);
   EXPECT_EQ(small.grid.dims, glm::ivec3(17));
   EXPECT_EQ(small.grid.box_max(), volume.grid.box_max());
   EXPECT_EQ(small.at(3, 5, 7), volume.at(12, 20, 28));
   EXPECT_EQ(small.at(16, 16, 16), volume.at(64, 64, 64));
-  const Volume same = thinned(volume, 96);
+  const Volume same = with_at_most(volume, 96);
   EXPECT_EQ(same.values, volume.values);
 }
 
