@@ -75,17 +75,10 @@ ExportPreview draw_preview(const ExportCommandOptions& options, const Exporter& 
   return preview;
 }
 
-/// An export does not hold all that a preset does.
-void require_other_file(const ExportCommandOptions& options, const fs::path& output) {
-  std::error_code ignored;
-  if (fs::equivalent(options.preset, output, ignored))
-    throw UsageError("--output", output.string() + " is the preset itself, which would be lost");
-}
-
 void export_preset(const ExportCommandOptions& options) {
   const Exporter& exporter = find_exporter(options.format);
   if (!options.preview.empty() && options.volume.empty()) throw UsageError("--preview", "needs a --volume");
-  require_other_file(options, options.output);
+  require_other_file(options.output, options.preset);
   require_writable(options.output);
   if (!options.preview.empty()) require_picture_file(options.preview);
   Preset preset = load_preset(options.preset);
@@ -97,7 +90,7 @@ void export_preset(const ExportCommandOptions& options) {
                    stem_of(options.output, exporter.extension), pixels_of(options.size));
   const Exported exported = exporter.write(input);
   for (const ExportFile& file : exported.files)
-    require_other_file(options, path_of(options.output, input.stem, file));
+    require_other_file(path_of(options.output, input.stem, file), options.preset);
   std::optional<ExportPreview> preview;
   if (!options.preview.empty()) preview = draw_preview(options, exporter, input, volume);
   write_export(exported, input.stem, options.output);
@@ -145,7 +138,8 @@ void add_export_command(Options app, Command& chosen) {
                    "Say on the standard output as JSON what is lost, and what to do there");
   command.add_example("crest export my.json --to paraview-script --volume head.nrrd -o my.py");
   command.add_example("crest export smooth-haze --to csv --samples 256 --volume head.nrrd -o haze.csv");
-  command.when_read([options, &chosen] {
+  command.when_read([options, command, &chosen] {
+    if (options->volume.empty()) command.leave_out({"--preview"});
     rows_of(options->samples);
     chosen = [options] { export_preset(*options); };
   });

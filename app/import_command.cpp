@@ -40,10 +40,11 @@ void list_names(const std::vector<Imported>& all, bool as_json) {
 void import_file(const ImportOptions& options) {
   if (options.list) return list_names(import_presets(options.file), options.json);
   if (options.output.empty()) throw UsageError("--output", "say which preset to write, or --list");
-  require_writable(options.output);
   const TfParts take = parts_of(options.take);
   if (take != TfParts::both && options.onto.empty())
     throw UsageError("--onto", "say of which preset the rest is taken");
+  require_other_file(options.output, options.file);
+  require_writable(options.output);
   const std::vector<Imported> all = import_presets(options.file);
   const Imported& chosen = choose(all, options.name, options.file);
   TransferFunction read = chosen.preset.transfer_function;
@@ -93,7 +94,13 @@ void add_import_command(Options app, Command& chosen) {
   command.add_flag("--json", options->json, "Say on the standard output as JSON what was read");
   command.add_example("crest import CT-Bone.vp.json -o my.json");
   command.add_example("crest import presets.xml --list");
-  command.when_read([options, &chosen] { chosen = [options] { import_file(*options); }; });
+  command.when_read([options, command, &chosen] {
+    command.prefer_typed("--output", {"--list"});
+    if (options->onto.empty()) command.leave_out({"--take"});
+    if (options->list && !options->output.empty())
+      throw UsageError("--list", "prints names, and writes no --output");
+    chosen = [options] { import_file(*options); };
+  });
 }
 
 }  // namespace crest

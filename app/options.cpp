@@ -159,7 +159,9 @@ void Options::add_flag(const std::string& names, bool& value, const std::string&
 void Options::when_read(const std::function<void()>& callback) { app_->callback(callback); }
 
 OptionRow& Options::row(const std::string& name) const {
-  return *std::ranges::find(command_->options, name, &OptionRow::long_name);
+  const auto found = std::ranges::find(command_->options, name, &OptionRow::long_name);
+  if (found == command_->options.end()) throw std::logic_error(name + " is no option of this command");
+  return *found;
 }
 bool Options::is_given(const std::string& name) const { return is_typed(name) || row(name).is_set; }
 bool Options::is_typed(const std::string& name) const { return app_->count(name) > 0; }
@@ -173,8 +175,12 @@ void Options::leave_out(const std::vector<std::string>& names) const {
 }
 
 void Options::prefer_typed(const std::string& one, const std::vector<std::string>& others) const {
-  if (std::ranges::any_of(others, [&](const std::string& name) { return is_typed(name); })) leave_out({one});
-  if (is_typed(one)) leave_out(others);
+  const auto asks_for = [&](const std::string& name) {  // --auto=false does not
+    const auto* const flag = std::get_if<bool*>(&row(name).value);
+    return is_typed(name) && (!flag || **flag);
+  };
+  if (std::ranges::any_of(others, asks_for)) leave_out({one});
+  if (asks_for(one)) leave_out(others);
 }
 
 bool Options::has_command() const { return !app_->get_subcommands().empty(); }

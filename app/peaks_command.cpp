@@ -70,11 +70,11 @@ void add_surface_left(const Volume& volume, int stride, const std::vector<Peak>&
 }
 
 void print_peaks(const PeaksOptions& options) {
+  if (options.thinned > 0 && options.volume.empty()) throw UsageError("--thinned", "needs a --volume");
   const Preset preset = load_preset(options.preset);
   TransferFunction tf = preset.transfer_function;
   ValueRange range = tf.range();
   std::optional<Volume> volume;
-  if (options.thinned > 0 && options.volume.empty()) throw Error("--thinned needs a --volume");
   if (!options.volume.empty()) {
     volume = load_volume(options.volume);
     range = volume->statistics.range;
@@ -111,7 +111,10 @@ void add_peaks_command(Options app, Command& chosen) {
       .in(2, 64);
   command.add_flag("--json", options->json, "JSON is the only form there is");
   command.add_example("crest peaks four-peaks --volume builtin:gyroid --bins 64");
-  command.when_read([options, &chosen] { chosen = [options] { print_peaks(*options); }; });
+  command.when_read([options, command, &chosen] {
+    if (options->volume.empty()) command.leave_out({"--thinned"});
+    chosen = [options] { print_peaks(*options); };
+  });
 }
 
 }  // namespace crest

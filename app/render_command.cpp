@@ -179,7 +179,8 @@ void render_and_watch(const RenderOptions& options) {
 
 void yield_to_typed(const RenderOptions& options, Options command) {
   if (options.picture.is_to_stdout()) command.leave_out({"--json", "--turntable", "--watch"});
-  if (options.scene.is_preset_from_stdin()) command.leave_out({"--watch"});
+  const bool has_files = !files_of(options.scene.preset).empty() || !files_of(options.scene.volume).empty();
+  if (options.scene.is_preset_from_stdin() || !has_files) command.leave_out({"--watch"});
   command.prefer_typed("--auto", {"--step", "--engine", "--exact", "--error-bound", "--turntable"});
   command.prefer_typed("--turntable", {"--json", "--error-bound"});
   if (!options.automatic.is_on) command.leave_out({"--target-error", "--budget"});

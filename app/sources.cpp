@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "app/options.h"
 #include "presets/preset_file.h"
 #include "render/volume/builtin.h"
 
@@ -17,6 +18,12 @@ std::vector<std::filesystem::path> files_of(const std::string& source) {
   for (const std::string& name : {source, source.substr(0, source.find('?'))})
     if (std::filesystem::exists(name, ignored)) return {name};
   return {};
+}
+
+void require_other_file(const std::filesystem::path& output, const std::filesystem::path& read) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(read, output, ignored))
+    throw UsageError("--output", output.string() + " is the file that is read, which would be lost");
 }
 
 std::vector<std::string> builtin_sources() {

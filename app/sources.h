@@ -13,6 +13,9 @@ std::string absolute_source(const std::string& source);
 /// The file or folder that a volume's or a preset's source names, to be watched; none where it is built in.
 std::vector<std::filesystem::path> files_of(const std::string& source);
 
+/// Throws UsageError where a command's output is the file that it reads, which would be lost.
+void require_other_file(const std::filesystem::path& output, const std::filesystem::path& read);
+
 /// The built-in volumes as sources, and the names of the library's presets: what completions offer.
 std::vector<std::string> builtin_sources();
 std::vector<std::string> library_names();

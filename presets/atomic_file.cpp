@@ -53,7 +53,7 @@ class File {
   }
   /// Owner and group where that is permitted, and permissions. Another group gets no more than others have.
   void take_after(const struct stat& old) {
-    mode_t mode = old.st_mode & 07777;
+    mode_t mode = old.st_mode & 0777;
     if (::fchown(fd, old.st_uid, old.st_gid) != 0 && ::fchown(fd, uid_t(-1), old.st_gid) != 0)
       mode = (mode & 0707) | (mode & 0007) << 3;
     if (::fchmod(fd, mode) != 0) fail_writing(known_as, errno);

@@ -10,18 +10,20 @@ namespace crest::gl {
 
 GLuint ProgramCache::program(std::string_view vertex, std::string_view fragment,
                              const std::vector<std::string>& defines) {
-  Variant& variant = variants_[{std::string(fragment), defines}];
+  const std::pair name{std::string(fragment), defines};
+  auto found = variants_.find(name);
+  if (found == variants_.end()) {  // one that does not compile takes no other one's place
+    found = variants_.emplace(name, Variant{read_or_build(vertex, fragment, defines), true, ++uses_}).first;
+    if (variants_.size() > most_programs) drop_oldest();
+  }
+  Variant& variant = found->second;
   variant.last_use = ++uses_;
-  if (variants_.size() > most_programs) drop_oldest();
-  if (!variant.current) {
-    try {
+  if (!variant.current) try {
+      variant.current = true;
       variant.program = read_or_build(vertex, fragment, defines);
     } catch (const Error& error) {
-      if (!variant.program) throw;
       error_ = error.what();
     }
-    variant.current = true;
-  }
   return variant.program.id();
 }
 

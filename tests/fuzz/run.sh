@@ -15,6 +15,9 @@ cmake -S "$root" -B "$folder" -G Ninja -DCREST_FUZZ=ON -DCMAKE_BUILD_TYPE=None -
   -DCMAKE_C_COMPILER=clang >/dev/null
 ninja -C "$folder" crest_fuzz >&2
 mkdir -p "$folder/finds" "$folder/logs"
+TMPDIR=$(mktemp -d -p "$([ -d /dev/shm ] && echo /dev/shm || echo /tmp)")
+export TMPDIR
+trap 'rm -rf "$TMPDIR"' EXIT
 [ $# -gt 0 ] || mapfile -t all < <("$fuzz")
 [ $# -gt 0 ] && all=("$@")
 

@@ -6,8 +6,8 @@
 namespace crest::test {
 
 /// What a save asks of the disk, in the order in which it does: this program has functions of its own in
-/// place of the C library's write(), fsync(), fchmod(), rename() and unlink(). Only between these calls does
-/// what others see of the disk change, so that a kill before one stands for every moment between two.
+/// place of the C library's write(), fsync(), fchmod(), rename() and unlink(). These are the calls by
+/// which a save that is made as it should be changes what others see of the disk.
 struct DiskCall {
   enum Kind { write, sync, mode, rename, remove } kind;
   std::string path, to;  ///< of the open file, or as given; of rename()

@@ -37,6 +37,7 @@ Ended save_apart(
   if (::pipe(pipe) != 0) return {};
   const pid_t child = ::fork();
   if (child == 0) {
+    ::alarm(60);  // rather than wait for it for ever
     watch_disk_calls(kill_before);
     try {
       saver.save(folder, version);

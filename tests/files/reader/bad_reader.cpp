@@ -29,8 +29,8 @@ namespace {
 std::string volume(const std::string& dims = "[2,2,2]", const std::string& values = "8",
                    const std::string& spacing = "[1,1,1]") {
   return R"({"volume":{"dims":)" + dims + R"(,"spacing":)" + spacing +
-         R"(,"origin":[0,0,0],"type":0,"note":"","direction":[[1,0,0],[0,1,0],[0,0,1]]},"values":)" + values +
-         "}\n";
+         R"(,"origin":[0,0,0],"type":0,"in_patient":false,"note":"","direction":[[1,0,0],[0,1,0],[0,0,1]]},"values":)" +
+         values + "}\n";
 }
 
 std::string with_note(const std::string& note) {
