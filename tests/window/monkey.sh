@@ -6,7 +6,7 @@
 # The seed chooses what is done; since the window answers at its own pace, a second run is alike, not the same. A failure
 # prints the last 50 actions: lines for a shell, with a window of that size.
 set -eu
-program=$1 seconds=$2 seed=${3:-$RANDOM} screenshot=${4:-}
+program=$(realpath "$1") seconds=$2 seed=${3:-$RANDOM} screenshot=${4:+$(realpath "$4")}
 tools=${CREST_TEST_PROGRAMS:-$(dirname "$program")/../tests}
 [ $# -gt 2 ] || set -- "$program" "$seconds" "$seed"
 source "$(dirname "$0")/drive.sh"

@@ -178,18 +178,39 @@ act() {
   sleep "$chosen"
 }
 
+# until_shows WIDGET: at most some seconds.
+until_shows() {
+  local i
+  for i in $(seq 60); do
+    ! shows "$1" || return 0
+    sleep 0.05
+  done
+  return 1
+}
+# surely COMMAND: by the palette, step by step, since a busy machine loses keys and repeats those that are held too long.
+surely() {
+  local i
+  for i in 1 2 3; do
+    x key Escape sleep 0.1 key Escape sleep 0.1 key ctrl+shift+p
+    until_shows "palette search" || continue
+    x key ctrl+a
+    x type --delay 15 -- "$1"
+    until_shows "palette/$1" || continue
+    x key Return
+    ! until_shows Discard || click_at "$(value_of Discard)"
+    return 0
+  done
+  return 1
+}
+
 # Nothing open, a new preset, no volume, one view. False where a dialog does not go.
 go_home() {
   local i
   for i in 1 2 3; do x key --repeat 4 --repeat-delay 80 Escape; done
   x windowsize "$window" 1000 700
   width=1000 height=700
-  for i in "One view" "New" "Close volume"; do
-    by_palette "$i"
-    sleep 0.5
-    shows Discard && click_at "$(value_of Discard)"
-    sleep 0.4
-  done
+  for i in "One view" New; do surely "$i" || return 1; done
+  shows "start/Open volume..." || surely "Close volume" || return 1
   for i in $(seq 100); do
     if is_idle && shows "start/Open volume..."; then sleep 1.5; return 0; fi
     has_ended && return 1
