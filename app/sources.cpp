@@ -23,7 +23,7 @@ std::vector<std::filesystem::path> files_of(const std::string& source) {
 void require_other_file(const std::filesystem::path& output, const std::filesystem::path& read) {
   std::error_code ignored;
   if (std::filesystem::equivalent(read, output, ignored))
-    throw UsageError("--output", output.string() + " is the file that is read, which would be lost");
+    throw UsageError("--output", output.string() + " is what is read, which would be lost");
 }
 
 std::vector<std::string> builtin_sources() {

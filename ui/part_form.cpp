@@ -15,10 +15,7 @@ constexpr float field_width = 84;
 
 GridPart part_of(const OpeningState& opening, const OpenChoice& choice) {
   GridPart part = choice.need->part;
-  if (!opening.takes_box) {
-    part.stride = glm::u64vec3(std::uint64_t(opening.stride));
-    return part;
-  }
+  if (!opening.takes_box) return at_stride(part, std::uint64_t(opening.stride));
   part.first = glm::u64vec3(opening.box_first);
   part.end = glm::u64vec3(opening.box_end);
   return part;

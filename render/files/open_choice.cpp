@@ -32,6 +32,8 @@ ChoiceNeeded part_needed(const TooLarge& fault, const std::string& path, const Q
     smaller.part = *part;
     text += fmt::format("; ?stride={} would need {}", with_part({}, *part).at("stride"),
                         byte_text(*bytes_of(smaller)));
+  } else if (fault.need.besides > fault.memory) {
+    text += "; its file can only be read whole, so that no part of it needs less than that";
   } else {
     text += "; no stride makes it small enough, a box may (?crop=x0:x1,y0:y1,z0:z1)";
   }

@@ -20,7 +20,7 @@
 namespace crest {
 namespace {
 
-constexpr std::string_view keys = "size,type,spacing,origin,endian,offset,crop,stride";
+constexpr std::string_view keys = "size,type,spacing,origin,endian,offset,crop,stride,subtract";
 constexpr std::string_view hint =
     "say them as ?size=AxBxC&type=uint8, in a sidecar NAME.raw.json, or in the name (name_AxBxC_uint8.raw)";
 
@@ -108,8 +108,8 @@ void require_byte_count(const FileRequest& request, const Query& query, glm::u64
                 request.name(), query);
 }
 
-Voxels read_values(const FileRequest& request, const VoxelLayout& layout, const StoredAs& stored,
-                   std::uint64_t offset) {
+SlabsRead read_values(const FileRequest& request, const VoxelLayout& layout, const StoredAs& stored,
+                      std::uint64_t offset) {
   std::ifstream file(request.path, std::ios::binary);
   const auto read = [&](std::uint64_t first, std::span<std::byte> out) {
     if (request.reading.stop.stop_requested()) throw Error(request.name() + ": reading it was stopped");
@@ -117,7 +117,7 @@ Voxels read_values(const FileRequest& request, const VoxelLayout& layout, const 
     if (!file.read(reinterpret_cast<char*>(out.data()), std::streamsize(out.size())))
       throw Error(fmt::format("{}: it could not be read to its end", request.name()));
   };
-  return read_slabs(layout, stored, read).values;
+  return read_slabs(layout, stored, read);
 }
 
 }  // namespace
@@ -139,7 +139,14 @@ Volume read_raw(const FileRequest& request) {
   require_byte_count(request, query, size, type, offset);
   const GridPart part = part_from_query(name, query, size);
   request.require_memory({part, held_size_of(type)});
-  volume.values = read_values(request, part_of(interleaved(size), part), {type, endian, {}}, offset);
+  constexpr double most = 1e300;
+  const double subtracted = number_in(name, query, "subtract", 0, -most, most);
+  const LinearMap map{1, -subtracted};
+  SlabsRead read = read_values(request, part_of(interleaved(size), part), {type, endian, map}, offset);
+  volume.values = std::move(read.values);
+  if (subtracted != 0) volume.note = fmt::format("{} is subtracted from all values", subtracted);
+  if (const std::string lost = rounding_note(read.rounding, type, map); !lost.empty())
+    volume.note += (volume.note.empty() ? "" : "; ") + lost;
   place_part(volume, part);
   return volume;
 }

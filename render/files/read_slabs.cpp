@@ -64,7 +64,7 @@ Rounding put_slab(const VoxelLayout& layout, const Box& box, const StoredAs& sto
         for (std::uint64_t row = rows.begin(); row != rows.end(); ++row) {
           const glm::u64vec3 point = box.begin + glm::u64vec3(0, row % size.y, row / size.y);
           const auto at = bytes.subspan((layout.place(point) - begin) * size_of(stored.type));
-          store.put(point.x + layout.dims.x * (point.y + layout.dims.y * point.z), size.x, at,
+          store.put(point.x + layout.dims.x * (point.y + layout.dims.y * point.z), size.x, at, stored.type,
                     layout.stride.x, stored.map);
           if (rounds) lost = joined(lost, rounding_of(at, stored.type, size.x, layout.stride.x, stored.map));
         }

@@ -13,7 +13,6 @@
 #include "render/raycaster/scene_facts.h"
 #include "render/raycaster/sharpness.h"
 #include "render/resources/shader_tf.h"
-#include "render/resources/texel_format.h"
 #include "render/scene/view.h"
 #include "render/shader_inputs/blend_mode.h"
 #include "render/volume/bricks.h"
@@ -343,9 +342,8 @@ std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Clas
   if (!f.dvr && !f.peaks) return data;
   const glm::ivec3 dims = volume.grid.dims;
   add("volume", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
-      need.brick_count > 0
-          ? need.brick_count * brick_points * brick_points * brick_points * texel_bytes(volume)
-          : volume.grid.point_count() * texel_bytes(volume));
+      need.brick_count > 0 ? need.brick_count * brick_points * brick_points * brick_points * need.texel_bytes
+                           : volume.grid.point_count() * need.texel_bytes);
   if (f.empty_cells) {
     const glm::ivec3 cells = dims - 1;
     add("empty_cells", fmt::format("{}x{}x{} cells", cells.x, cells.y, cells.z),

@@ -21,11 +21,12 @@ struct Need {
   Features features;     ///< of the shader
   Features needed;       ///< the same, but for those that were forced in
   FeatureList list;
-  TfTableSize tf_table;         ///< where features.dvr; antiderivatives have as many nodes
-  TableBlur tf_blur;            ///< of its table
-  int preintegration_bins = 0;  ///< of the pre-integration table on each axis, where there is one
-  std::size_t brick_count = 0;  ///< of the volume, where features.bricks
-  int peak_bins = 0;            ///< of the peak table's arrays, where there is one
+  TfTableSize tf_table;                     ///< where features.dvr; antiderivatives have as many nodes
+  TableBlur tf_blur;                        ///< of its table
+  int preintegration_bins = 0;              ///< of the pre-integration table on each axis, where there is one
+  std::size_t texel_bytes = sizeof(float);  ///< that the device holds of a point
+  std::size_t brick_count = 0;              ///< of the volume, where features.bricks
+  int peak_bins = 0;                        ///< of the peak table's arrays, where there is one
   /// Intervals of the longest ray, and how many of them a pass renders: some drivers end long loops in
   /// silence. Where features.analytic, one is a smallest spacing long.
   int intervals = 0, intervals_per_pass = 1;

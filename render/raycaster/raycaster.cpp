@@ -10,6 +10,7 @@
 #include "render/raycaster/drawn_parts.h"
 #include "render/resources/classification.h"
 #include "render/resources/macrocell_texture.h"
+#include "render/resources/texel_format.h"
 #include "render/resources/volume_texture.h"
 #include "render/scene/camera.h"
 #include "render/shader_inputs/blend_mode.h"
@@ -67,6 +68,7 @@ Need Raycaster::find_need(const Scene& scene, const Camera& camera, glm::ivec2 s
   };
   Need need = crest::find_need(*scene.volume, classification, scene.rendering, camera, size, statistics,
                                forced_, share, weight_error, is_in_bricks(*resources_, scene.volume));
+  need.texel_bytes = texel_kind(held, *scene.volume).bytes;
   if (need.features.bricks)
     need.brick_count = size_of(*shown_bricks(held, {scene, classification, need.needed, need.tf_blur}));
   return need;

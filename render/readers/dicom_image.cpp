@@ -112,6 +112,7 @@ DicomImage common_of(const fs::path& file, const gdcm::DataSet& set) {
   image.columns = std::uint64_t(dicom_binary(set, Tag(0x0028, 0x0011)).value_or(0));
   image.samples = std::uint64_t(dicom_binary(set, Tag(0x0028, 0x0002)).value_or(1));
   image.bits = std::uint64_t(dicom_binary(set, Tag(0x0028, 0x0100)).value_or(16));
+  image.is_signed = dicom_binary(set, Tag(0x0028, 0x0103)).value_or(0) != 0;
   image.photometric = dicom_text(set, Tag(0x0028, 0x0004));
   image.position = vector_in(set, Tag(0x0020, 0x0032));
   image.number = dicom_number(set, Tag(0x0020, 0x0013));

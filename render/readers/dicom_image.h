@@ -23,7 +23,8 @@ struct DicomImage {
   std::size_t frame = 0;
   std::string series, instance, description, modality;
   std::uint64_t columns = 0, rows = 0, samples = 1;
-  std::uint64_t bits = 16;                               ///< that a sample is stored in
+  std::uint64_t bits = 16;  ///< that a sample is stored in
+  bool is_signed = false;
   std::optional<glm::dvec3> position;                    ///< of the first pixel's centre, in mm
   std::optional<std::array<glm::dvec3, 2>> orientation;  ///< along rows (x) and along columns (y)
   std::optional<glm::dvec2> spacing;                     ///< in mm, x and y

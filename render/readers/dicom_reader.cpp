@@ -123,16 +123,19 @@ class Pixels {
   DicomPixels pixels_;
 };
 
-bool has_one_scaling(const Images& slices) {
-  return std::ranges::all_of(slices,
-                             [&](const DicomImage& slice) { return slice.scaling == slices[0].scaling; });
+/// Whether one type and one map are those of all values.
+bool are_stored_alike(const Images& slices) {
+  return std::ranges::all_of(slices, [&](const DicomImage& slice) {
+    return slice.scaling == slices[0].scaling && slice.bits == slices[0].bits &&
+           slice.is_signed == slices[0].is_signed;
+  });
 }
 
 /// What a slice is decoded to, and the files' frames that are decoded with it.
 MemoryNeed need_of(const Images& slices, const GridPart& part, std::uint64_t frames) {
   const DicomImage& first = slices.front();
   const std::uint64_t file = first.columns * first.rows * first.samples * sizeof(double) * frames;
-  const bool keeps = first.bits <= 16 && has_one_scaling(slices);
+  const bool keeps = first.bits <= 16 && are_stored_alike(slices);
   return {part, keeps ? (first.bits + 7) / 8 : sizeof(float), file};
 }
 
@@ -169,6 +172,7 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
     map.intercept += subtraction.intercept;
     return map;
   };
+  const bool is_alike = are_stored_alike(slices);
   Pixels pixels;
   std::optional<VoxelStore> store;
   for (std::uint64_t k = 0; k < part.dims().z; ++k) {
@@ -177,9 +181,11 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
     if (!store) {
       volume.file_type = pixels.type();
       store.emplace(volume.file_type, part.point_count(),
-                    has_one_scaling(slices) ? std::optional(map_of(slice)) : std::nullopt);
+                    is_alike ? std::optional(map_of(slice)) : std::nullopt);
     }
-    put_slice(*store, part, k, bytes, volume.file_type, {slice.samples, component}, map_of(slice));
+    if (is_alike && pixels.type() != volume.file_type)
+      throw Error(fmt::format("{}: {}: it holds other pixels than it says", name, slice.file.string()));
+    put_slice(*store, part, k, bytes, pixels.type(), {slice.samples, component}, map_of(slice));
   }
   volume.values = store->take();
   place_part(volume, part);

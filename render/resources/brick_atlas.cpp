@@ -55,8 +55,10 @@ bool takes_texture(glm::ivec3 size, GLenum internal_format) {
   GLint largest = 0, width = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
   if (std::max({size.x, size.y, size.z}) > largest) return false;
-  glTexImage3D(GL_PROXY_TEXTURE_3D, 0, GLint(internal_format), size.x, size.y, size.z, 0, GL_RED, GL_FLOAT,
-               nullptr);
+  const bool is_integer = internal_format == GL_RGBA32UI;
+  gl::forget_errors();
+  glTexImage3D(GL_PROXY_TEXTURE_3D, 0, GLint(internal_format), size.x, size.y, size.z, 0,
+               is_integer ? GL_RGBA_INTEGER : GL_RED, is_integer ? GL_UNSIGNED_INT : GL_FLOAT, nullptr);
   glGetTexLevelParameteriv(GL_PROXY_TEXTURE_3D, 0, GL_TEXTURE_WIDTH, &width);
   return glGetError() == GL_NO_ERROR && width == size.x;
 }
@@ -68,6 +70,10 @@ BrickAtlas::BrickAtlas(const Volume& volume, TexelFormat format)
       table_(gl::make_texture(GL_TEXTURE_3D, GL_NEAREST)),
       slot_of_(brick_count(volume.grid), -1),
       some_texel_(slot_of_.size()) {
+  if (!takes_texture(dims_, GL_RGBA32UI))
+    throw gl::NoRoom(fmt::format(
+        "{}: {}x{}x{} points are too many for this graphics driver: open a part of them (?stride=2, ?crop=)",
+        volume.name, points_.x, points_.y, points_.z));
   glTextureStorage3D(table_.id(), 1, GL_RGBA32UI, dims_.x, dims_.y, dims_.z);
   for (std::size_t brick = 0; brick < some_texel_.size(); ++brick) {
     const glm::ivec3 point = brick_at(int(brick)) * brick_cells;
@@ -98,9 +104,8 @@ void BrickAtlas::require(const std::shared_ptr<const BrickSet>& bricks, std::siz
       missing.push_back(int(brick));
   }
   if (!missing.empty() || !texture_) {
-    const std::size_t wanted = std::max<std::size_t>(size_of(*bricks), 1);
-    if (wanted > brick_in_.size()) {
-      make_room(wanted, most_bytes);
+    if (needs_room(*bricks, missing.size())) {
+      make_room(*bricks, missing.size(), most_bytes);
       return require(bricks, most_bytes);
     }
     upload(missing);
@@ -108,17 +113,34 @@ void BrickAtlas::require(const std::shared_ptr<const BrickSet>& bricks, std::siz
   last_ = bricks;
 }
 
-/// A quarter more than is asked for, if there is room: edits bring some, and take others away.
-void BrickAtlas::make_room(std::size_t wanted, std::size_t most_bytes) {
+/// Those of the last pictures, which may be views and slices drawn in turn.
+std::size_t BrickAtlas::recent() const {
+  constexpr std::uint64_t recent_rounds = 8;
+  return std::size_t(std::ranges::count_if(
+      last_round_, [&](std::uint64_t round) { return round > 0 && round + recent_rounds >= round_; }));
+}
+
+bool BrickAtlas::needs_room(const BrickSet& bricks, std::size_t missing) const {
+  const std::size_t slots = brick_in_.size();
+  return !texture_ || size_of(bricks) > slots || (!is_full_ && recent() + missing > slots);
+}
+
+/// For all that were drawn lately, and a quarter more, if there is room: edits bring some, and take others
+/// away.
+void BrickAtlas::make_room(const BrickSet& bricks, std::size_t missing, std::size_t most_bytes) {
+  const std::size_t least = std::max<std::size_t>(size_of(bricks), 1),
+                    wanted = std::max(least, recent() + missing);
   constexpr int most_slots = 255;  // that the table's texels can tell
   GLint largest = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
   const int most = std::min(largest / brick_points, most_slots);
   texture_ = {};
   brick_in_.clear();
+  last_round_.clear();
   last_ = nullptr;
   std::ranges::fill(slot_of_, -1);
-  for (const std::size_t count : {wanted + wanted / 4, wanted}) {
+  for (const std::size_t count : {wanted + wanted / 4, wanted, least}) {
+    is_full_ = count == least;  // what is drawn in turn takes each other's place
     slots_ = arranged(count, most);
     const glm::ivec3 size = slots_ * brick_points;
     const double bytes = double(size.x) * double(size.y) * double(size.z) * double(format_.bytes);
@@ -126,6 +148,7 @@ void BrickAtlas::make_room(std::size_t wanted, std::size_t most_bytes) {
     gl::TextureHandle texture = gl::make_texture(GL_TEXTURE_3D, GL_LINEAR);
     glTextureStorage3D(texture.id(), 1, format_.internal, size.x, size.y, size.z);
     if (glGetError() != GL_NO_ERROR) continue;
+    glClearTexImage(texture.id(), 0, GL_RED, format_.type, nullptr);  // the filter may look beside a brick
     texture_ = std::move(texture);
     brick_in_.assign(std::size_t(slots_.x) * std::size_t(slots_.y) * std::size_t(slots_.z), -1);
     last_round_.assign(brick_in_.size(), 0);
@@ -134,7 +157,7 @@ void BrickAtlas::make_room(std::size_t wanted, std::size_t most_bytes) {
   throw gl::NoRoom(fmt::format(
       "{:.3g} GB of the volume show, which is more than the graphics device has room for: let the transfer "
       "function show less, or open every 2nd point (?stride=2)",
-      double(wanted * points_of_a_brick * format_.bytes) / 1e9));
+      double(least * points_of_a_brick * format_.bytes) / 1e9));
 }
 
 /// Into the slots that were asked for longest ago, the free ones first.

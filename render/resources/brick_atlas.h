@@ -30,7 +30,9 @@ class BrickAtlas {
   int uploads() const { return uploads_; }  ///< of bricks, in all
 
  private:
-  void make_room(std::size_t wanted, std::size_t most_bytes);
+  std::size_t recent() const;
+  bool needs_room(const BrickSet& bricks, std::size_t missing) const;
+  void make_room(const BrickSet& bricks, std::size_t missing, std::size_t most_bytes);
   void upload(const std::vector<int>& missing);
   void write_table();
   glm::ivec3 brick_at(int index) const;
@@ -45,6 +47,7 @@ class BrickAtlas {
   std::vector<float> some_texel_;          ///< a brick each
   std::vector<std::uint64_t> last_round_;  ///< a slot each: when it was last asked for
   std::uint64_t round_ = 0;
+  bool is_full_ = false;                  ///< there is no room for more than one picture's
   std::shared_ptr<const BrickSet> last_;  ///< what was asked for last
   int uploads_ = 0;
 };

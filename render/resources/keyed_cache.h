@@ -44,13 +44,38 @@ class KeyedCache {
     }
     drop_while([&](const Entry& e) { return e.round + kept_rounds < round_; },
                [&] { return bytes_ + bytes > limit_bytes_ || entries_.size() >= limit_count_; });
-    entries_.push_front(std::make_unique<Held<Key, Value>>(key, made(make)));
+    entries_.push_front(std::make_unique<Held<Key, Value>>(key, with_room(make)));
     Entry& entry = *entries_.front();
     entry.bytes = bytes;
     entry.round = round_;
     bytes_ += bytes;
     ++made_;
     return static_cast<Held<Key, Value>&>(entry).value;
+  }
+
+  /// Calls make(). If it throws gl::NoRoom, all that this round has not used is dropped, and it may try once
+  /// more.
+  template <class Make>
+  std::invoke_result_t<Make> with_room(const Make& make) {
+    try {
+      return make();
+    } catch (const gl::NoRoom&) {
+      const std::size_t before = entries_.size();
+      drop_while([&](const Entry& e) { return e.round != round_; }, [] { return true; });
+      if (entries_.size() == before) throw;
+      return make();
+    }
+  }
+
+  /// What a held value, which has grown since it was made, takes now.
+  template <class Value, class Key>
+  void recount(const Key& key, std::size_t bytes) {
+    for (const auto& entry : entries_) {
+      const auto* found = dynamic_cast<const Held<Key, Value>*>(entry.get());
+      if (!found || !(found->key == key)) continue;
+      bytes_ += bytes - entry->bytes;
+      entry->bytes = bytes;
+    }
   }
 
   std::size_t bytes() const { return bytes_; }
@@ -76,18 +101,6 @@ class KeyedCache {
     Key key;
     Value value;
   };
-
-  template <class Make>
-  std::invoke_result_t<Make> made(const Make& make) {
-    try {
-      return make();
-    } catch (const gl::NoRoom&) {
-      const std::size_t before = entries_.size();
-      drop_while([&](const Entry& e) { return e.round != round_; }, [] { return true; });
-      if (entries_.size() == before) throw;
-      return make();
-    }
-  }
 
   /// Of the entries that `may_go`, from the one that was used longest ago.
   template <class MayGo, class While>

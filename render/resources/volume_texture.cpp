@@ -93,10 +93,11 @@ struct WholeVolume {
 };
 
 const WholeVolume& whole_volume(Resources& resources, const std::shared_ptr<const Volume>& volume) {
-  return resources.held.get(ValuesKey(volume), volume->grid.point_count() * texel_bytes(*volume), [&] {
-    const TexelFormat format = texel_format(resources.held, *volume);
-    return WholeVolume{upload_whole(*volume, format), format.scale};
-  });
+  return resources.held.get(ValuesKey(volume),
+                            volume->grid.point_count() * texel_kind(resources.held, *volume).bytes, [&] {
+                              const TexelFormat format = texel_format(resources.held, *volume);
+                              return WholeVolume{upload_whole(*volume, format), format.scale};
+                            });
 }
 
 BrickAtlas& brick_atlas(Resources& resources, const std::shared_ptr<const Volume>& volume) {
@@ -114,9 +115,9 @@ gl::TextureHandle upload_empty_cells(const Volume& volume, int radius) {
 
 bool is_in_bricks(Resources& resources, const std::shared_ptr<const Volume>& volume) {
   return resources.held.get(InBricksKey(volume), 0, [&] {
-    const std::size_t bytes = volume->grid.point_count() * texel_bytes(*volume);
-    return bytes > resources.whole_volume_bytes ||
-           !takes_texture(volume->grid.dims, texel_format(resources.held, *volume).internal);
+    const TexelKind kind = texel_kind(resources.held, *volume);
+    return volume->grid.point_count() * kind.bytes > resources.whole_volume_bytes ||
+           !takes_texture(volume->grid.dims, kind.internal);
   });
 }
 
@@ -136,7 +137,8 @@ void bind_volume(Resources& resources, const std::shared_ptr<const Volume>& volu
     return gl::set(program, "texel_scale", whole.scale);
   }
   BrickAtlas& atlas = brick_atlas(resources, volume);
-  atlas.require(bricks, resources.atlas_bytes);
+  resources.held.with_room([&] { atlas.require(bricks, resources.atlas_bytes); });
+  resources.held.recount<std::unique_ptr<BrickAtlas>>(AtlasKey(volume), atlas.byte_count());
   glBindTextureUnit(units.volume, atlas.texture());
   glBindTextureUnit(units.brick_table, atlas.table());
   gl::set(program, "brick_table", int(units.brick_table));

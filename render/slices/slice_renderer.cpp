@@ -6,7 +6,6 @@
 #include "render/resources/classification.h"
 #include "render/resources/shader_tf_texture.h"
 #include "render/resources/table_textures.h"
-#include "render/resources/volume_key.h"
 #include "render/resources/volume_texture.h"
 #include "render/scene/camera.h"
 #include "render/shader_inputs/view_uniforms.h"
@@ -19,12 +18,6 @@ using gl::set;
 
 constexpr float line_pixels = 1.5F;
 enum Unit : GLuint { volume_unit, brick_table_unit, empty_cells_unit, tf_unit };
-
-struct SliceBricksKey : VolumeKey {
-  SliceBricksKey(const std::shared_ptr<const Volume>& volume, const Slice& s) : VolumeKey(volume), slice(s) {}
-  Slice slice;
-  bool operator==(const SliceBricksKey&) const = default;
-};
 
 Features features_of(Resources& resources, const Scene& scene) {
   // The texture unit's filter may have 8 bits: lines would be stairs
@@ -40,19 +33,15 @@ Features features_of(Resources& resources, const Scene& scene) {
 }
 
 /// Those that a slice goes through, with what its filters reach.
-std::shared_ptr<const BrickSet> bricks_of(KeyedCache& held, const std::shared_ptr<const Volume>& volume,
-                                          const Slice& slice) {
-  return held.get(SliceBricksKey(volume, slice), brick_count(volume->grid), [&] {
-    constexpr int reach = 3;
-    const glm::ivec3 last = volume->grid.dims - 1;
-    glm::ivec3 from(0), to = last;
-    const int at = int(slice.place * last[slice.axis]);
-    from[slice.axis] = at - reach;
-    to[slice.axis] = at + 1 + reach;
-    BrickSet bricks(brick_count(volume->grid));
-    add_bricks(bricks, volume->grid, from, to);
-    return std::make_shared<const BrickSet>(std::move(bricks));
-  });
+std::shared_ptr<const BrickSet> bricks_of(const Grid& grid, const Slice& slice) {
+  constexpr int reach = 3;
+  glm::ivec3 from(0), to = grid.dims - 1;
+  const int at = int(slice.place * to[slice.axis]);
+  from[slice.axis] = at - reach;
+  to[slice.axis] = at + 1 + reach;
+  BrickSet bricks(brick_count(grid));
+  add_bricks(bricks, grid, from, to);
+  return std::make_shared<const BrickSet>(std::move(bricks));
 }
 
 void bind(Resources& resources, GLuint program, const Scene& scene, const Slice& slice,
@@ -67,7 +56,7 @@ void bind(Resources& resources, GLuint program, const Scene& scene, const Slice&
     glBindTextureUnit(unit, texture);
     set(program, sampler, int(unit));
   };
-  bind_volume(resources, scene.volume, features.bricks ? bricks_of(held, scene.volume, slice) : nullptr,
+  bind_volume(resources, scene.volume, features.bricks ? bricks_of(volume.grid, slice) : nullptr,
               {volume_unit, brick_table_unit}, program);
   if (features.empty_cells)
     bind_texture(empty_cells_unit, "empty_cells",

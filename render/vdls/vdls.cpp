@@ -232,7 +232,9 @@ void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& targ
   resources_->held.begin_round();
   const Prepared prepared = prepare(scene);
   if (is_in_bricks(*resources_, scene.volume))
-    throw Error("the vdls engine needs the whole volume on the graphics device, which has no room for it");
+    throw Error(
+        "the vdls engine needs the whole volume on the graphics device, and draws none of more than 2 GiB "
+        "there");
   hold_volume(*resources_, scene.volume);  // which may draw
   layers_.attach(target);
   glViewport(0, 0, target.size().x, target.size().y);
@@ -274,8 +276,9 @@ PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {
   add(false, "early_termination", "a layer does not see what lies before it");
 
   const glm::ivec3 dims = prepared.volume.grid.dims;
-  need.gpu_data.push_back({"volume", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
-                           prepared.volume.grid.point_count() * texel_bytes(prepared.volume)});
+  need.gpu_data.push_back(
+      {"volume", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
+       prepared.volume.grid.point_count() * texel_kind(resources_->held, prepared.volume).bytes});
   if (shading && o.gradient_volume)
     need.gpu_data.push_back({"gradients", fmt::format("{}x{}x{} points", dims.x, dims.y, dims.z),
                              prepared.volume.grid.point_count() * 4 * sizeof(GLshort)});

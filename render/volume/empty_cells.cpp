@@ -47,14 +47,16 @@ std::vector<std::uint8_t> find_empty_cells(const Volume& volume, int radius) {
   return empty;
 }
 
-std::vector<float> finite_values(const Volume& volume) {
-  std::vector<float> values = volume.values.to_floats();
-  const auto dims = volume.grid.dims;
-  for_each_hole(volume, [&](int i, int j, int k) {
-    values[std::size_t(i) + std::size_t(dims.x) * (std::size_t(j) + std::size_t(dims.y) * std::size_t(k))] =
-        mean_of_neighbours(volume, i, j, k);
-  });
-  return values;
+void write_finite(const Volume& volume, std::size_t first, std::span<float> out) {
+  std::vector<float> room;
+  std::ranges::copy(volume.values.part(first, out.size(), room), out.begin());
+  if (!volume.has_empty_cells()) return;
+  const std::size_t row = std::size_t(volume.grid.dims.x), rows = std::size_t(volume.grid.dims.y);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (std::isfinite(out[i])) continue;
+    const std::size_t at = first + i;
+    out[i] = mean_of_neighbours(volume, int(at % row), int(at / row % rows), int(at / row / rows));
+  }
 }
 
 }  // namespace crest

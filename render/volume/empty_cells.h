@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/volume/volume.h"
@@ -11,8 +13,8 @@ namespace crest {
 /// for a filter of radius 2, also one of the points around these, so that no sample is made from a stand-in.
 std::vector<std::uint8_t> find_empty_cells(const Volume& volume, int radius = 1);
 
-/// The values with finite stand-ins (the mean of a voxel's finite neighbours, or the least value) for those
-/// that are not: filtering multiplies even a NaN of weight 0.
-std::vector<float> finite_values(const Volume& volume);
+/// The values of the points from `first` on, with finite stand-ins (the mean of a voxel's finite neighbours,
+/// or the least value) for those that are not: filtering multiplies even a NaN of weight 0.
+void write_finite(const Volume& volume, std::size_t first, std::span<float> out);
 
 }  // namespace crest

@@ -1,6 +1,7 @@
 #include "render/volume/grid_part.h"
 
 #include <fmt/core.h>
+#include <glm/common.hpp>
 
 #include <optional>
 
@@ -78,6 +79,12 @@ std::string stride_text(glm::u64vec3 stride) {
 }
 
 }  // namespace
+
+GridPart at_stride(GridPart part, std::uint64_t stride) {
+  const glm::u64vec3 most = glm::max(part.end - part.first, glm::u64vec3(2)) - glm::u64vec3(1);
+  part.stride = glm::min(glm::max(glm::u64vec3(stride), part.stride), most);
+  return part;
+}
 
 GridPart whole_grid(glm::u64vec3 dims) { return {dims, glm::u64vec3(0), dims, glm::u64vec3(1)}; }
 

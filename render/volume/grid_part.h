@@ -22,6 +22,9 @@ struct GridPart {
   glm::u64vec3 dims() const { return (end - first + stride - glm::u64vec3(1)) / stride; }
 };
 
+/// Of the same box no more than every stride-th point, as far as two stay on each axis.
+GridPart at_stride(GridPart part, std::uint64_t stride);
+
 /// All points.
 GridPart whole_grid(glm::u64vec3 dims);
 

@@ -107,20 +107,17 @@ std::optional<std::uint64_t> bytes_of(const MemoryNeed& need) {
 }
 
 std::optional<GridPart> part_that_fits(const MemoryNeed& need, std::uint64_t memory) {
-  const glm::u64vec3 box = need.part.end - need.part.first, most = box - glm::u64vec3(1);
-  const auto at_stride = [&](std::uint64_t stride) {
-    MemoryNeed smaller = need;
-    smaller.part.stride = glm::min(glm::max(glm::u64vec3(stride), need.part.stride), most);
-    return smaller;
-  };
   const auto is_too_large = [&](std::uint64_t stride) {
-    const auto bytes = bytes_of(at_stride(stride));
+    MemoryNeed smaller = need;
+    smaller.part = at_stride(need.part, stride);
+    const auto bytes = bytes_of(smaller);
     return !bytes || *bytes > memory;
   };
-  const std::uint64_t longest = std::max({most.x, most.y, most.z});
+  const glm::u64vec3 box = need.part.end - need.part.first;
+  const std::uint64_t longest = std::max({box.x, box.y, box.z, std::uint64_t(2)}) - 1;
   if (is_too_large(longest)) return std::nullopt;
-  return at_stride(*std::ranges::partition_point(std::views::iota(std::uint64_t(1), longest), is_too_large))
-      .part;
+  return at_stride(need.part,
+                   *std::ranges::partition_point(std::views::iota(std::uint64_t(1), longest), is_too_large));
 }
 
 void require_memory(std::string_view name, const MemoryNeed& need, std::uint64_t memory) {

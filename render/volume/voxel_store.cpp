@@ -37,15 +37,15 @@ Voxels::Stored make_stored(ScalarType type, std::size_t count) {
   }
 }
 
-VoxelStore::VoxelStore(ScalarType type, std::size_t count, std::optional<LinearMap> map) : type_(type) {
+VoxelStore::VoxelStore(ScalarType type, std::size_t count, std::optional<LinearMap> map) {
   const bool keeps = is_kept_as_stored(type) && map && is_finite(*map);
   stored_ = make_stored(keeps ? type : ScalarType::float32, count);
   if (keeps) map_ = *map;
 }
 
-void VoxelStore::put(std::size_t first, std::size_t count, std::span<const std::byte> bytes,
+void VoxelStore::put(std::size_t first, std::size_t count, std::span<const std::byte> bytes, ScalarType type,
                      std::size_t stride, LinearMap map) {
-  with_scalar_type(type_, [&](auto zero) {
+  with_scalar_type(type, [&](auto zero) {
     using T = decltype(zero);
     if (auto* floats = std::get_if<std::vector<float>>(&stored_)) {
       float* out = floats->data() + first;
@@ -66,7 +66,7 @@ void put_slice(VoxelStore& store, const GridPart& part, std::uint64_t k, std::sp
   tbb::parallel_for(std::uint64_t(0), dims.y, [&](std::uint64_t j) {
     const std::uint64_t point = part.first.x + part.full.x * (part.first.y + j * part.stride.y);
     store.put(dims.x * (j + dims.y * k), dims.x,
-              bytes.subspan((point * sample.count + sample.index) * size_of(type)),
+              bytes.subspan((point * sample.count + sample.index) * size_of(type)), type,
               sample.count * part.stride.x, map);
   });
 }

@@ -23,16 +23,15 @@ Voxels::Stored make_stored(ScalarType type, std::size_t count);
 /// float32.
 class VoxelStore {
  public:
-  /// `map`: of all values. Where there is none, as they differ, all become float32.
+  /// `map`: of all values, which are of this type. Where there is none, as they differ, all become float32.
   VoxelStore(ScalarType type, std::size_t count, std::optional<LinearMap> map);
-  /// Takes `count` values of the type, `stride` values apart in `bytes`, for those from `first` on; `map` is
+  /// Takes `count` values of a type, `stride` values apart in `bytes`, for those from `first` on; `map` is
   /// theirs. Any thread may, for other values.
-  void put(std::size_t first, std::size_t count, std::span<const std::byte> bytes, std::size_t stride,
-           LinearMap map);
+  void put(std::size_t first, std::size_t count, std::span<const std::byte> bytes, ScalarType type,
+           std::size_t stride, LinearMap map);
   Voxels take() { return {std::move(stored_), map_}; }
 
  private:
-  ScalarType type_;
   Voxels::Stored stored_;
   LinearMap map_;
 };

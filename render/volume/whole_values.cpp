@@ -1,8 +1,5 @@
 #include "render/volume/whole_values.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -22,7 +19,7 @@ std::optional<WholeValues> whole_values(const Volume& volume) {
   constexpr double float_integers = 1 << 24, most = std::numeric_limits<std::uint16_t>::max();
   const auto [slope, intercept] = volume.values.map();
   const double step = std::abs(slope);
-  if (volume.values.are_floats() || !is_power_of_two(step)) return std::nullopt;
+  if (volume.values.are_floats() || volume.has_empty_cells() || !is_power_of_two(step)) return std::nullopt;
   const double added = intercept / step;  // with what is stored, still a whole number that a float has
   if (added != std::round(added) || !(std::abs(added) < float_integers - most)) return std::nullopt;
   const ValueRange range = volume.statistics.range;
@@ -36,10 +33,8 @@ void write_steps(const Volume& volume, const WholeValues& whole, std::size_t fir
   std::visit(
       [&](const auto& stored) {
         if constexpr (std::is_integral_v<typename std::decay_t<decltype(stored)>::value_type>) {
-          tbb::parallel_for(tbb::blocked_range<std::size_t>(0, out.size()), [&](const auto& part) {
-            for (std::size_t i = part.begin(); i != part.end(); ++i)
-              out[i] = std::uint16_t((int(stored[first + i]) - least) * sign);
-          });
+          for (std::size_t i = 0; i < out.size(); ++i)
+            out[i] = std::uint16_t((int(stored[first + i]) - least) * sign);
         }
       },
       volume.values.stored());

@@ -212,8 +212,8 @@ TEST_F(CommandLine, NamesReachTheTerminalEscaped) {
 
 TEST_F(CommandLine, APresetIsNotWrittenOver) {
   const std::string preset = write("p.json", content_of(source_folder() / "presets/library/onion.json"));
-  expect_error(2, {"export", preset, "--to", "csv", "-o", preset}, {"--output", "p.json", "preset itself"});
-  expect_error(2, {"export", preset, "--to", "csv", "-o", path("./p.json")}, {"--output", "preset itself"});
+  expect_error(2, {"export", preset, "--to", "csv", "-o", preset}, {"--output", "p.json", "would be lost"});
+  expect_error(2, {"export", preset, "--to", "csv", "-o", path("./p.json")}, {"--output", "would be lost"});
 }
 
 }  // namespace

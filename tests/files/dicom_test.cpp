@@ -134,6 +134,16 @@ TEST_F(DicomTest, Monochrome1IsForDisplay) {
   EXPECT_NE(volume.note.find("MONOCHROME1"), std::string::npos) << volume.note;
 }
 
+TEST_F(DicomTest, SlicesOfDifferentTypesHaveTheirOwnValues) {
+  const std::vector<std::int16_t> low(12, -100);
+  write("s/1.dcm", dicom_slice(4, 3, 0, 1, low));
+  write("s/2.dcm", replaced(dicom_slice(4, 3, 1, 2, low), dicom_element(0x28, 0x103, "US", dicom_us(1)),
+                            dicom_element(0x28, 0x103, "US", dicom_us(0))));
+  const Volume volume = load_volume(path("s"));
+  EXPECT_EQ(volume.at(0, 0, 0), float(2 * -100 - 10));
+  EXPECT_EQ(volume.at(0, 0, 1), float(2 * (65536 - 100) - 10));
+}
+
 TEST_F(DicomTest, WithoutPlacesTheOrderIsSaid) {
   for (int slice = 0; slice < 11; ++slice) {
     const std::string bare = without(dicom_slice(4, 3, 0, 20 - slice, pixels(slice)), 0x20, 0x32);

@@ -140,11 +140,16 @@ TEST_F(BricksDrawn, StayWhileThereIsRoom) {
   EXPECT_EQ(atlas.uploads(), 20);
   atlas.require(some(0, 22), plenty);  // into the quarter that is kept
   EXPECT_EQ(atlas.uploads(), 22);
-  atlas.require(some(20, 10), plenty);
-  EXPECT_EQ(atlas.uploads(), 30);
+  const auto first = some(0, 22), second = some(20, 10);
+  atlas.require(second, plenty);  // in a new texture, with room for both
+  EXPECT_EQ(atlas.uploads(), 32);
+  atlas.require(first, plenty);
+  EXPECT_EQ(atlas.uploads(), 52);
+  for (int i = 0; i < 3; ++i) atlas.require(i % 2 ? first : second, plenty);
+  EXPECT_EQ(atlas.uploads(), 52);
   EXPECT_THROW(atlas.require(some(0, 36), 1000), gl::NoRoom);
-  atlas.require(some(0, 36), plenty);  // in a new texture
-  EXPECT_EQ(atlas.uploads(), 66);
+  atlas.require(some(0, 36), plenty);
+  EXPECT_EQ(atlas.uploads(), 88);
 }
 
 }  // namespace

@@ -90,9 +90,9 @@ TEST_F(WholeValuesDrawn, TakeTwoBytesAPoint) {
   const Ptr volume = stored_gyroid<std::uint8_t>(255, 0, {});
   KeyedCache held(0);
   EXPECT_EQ(texel_format(held, *volume).internal, GLenum(GL_R16));
-  EXPECT_EQ(texel_bytes(*volume), 2u);
+  EXPECT_EQ(texel_kind(held, *volume).bytes, 2u);
   EXPECT_EQ(texel_format(held, *as_floats(volume)).internal, GLenum(GL_R32F));
-  EXPECT_EQ(texel_bytes(*as_floats(volume)), 4u);
+  EXPECT_EQ(texel_kind(held, *as_floats(volume)).bytes, 4u);
 }
 
 // What is fetched and interpolated in float is the same number; the texture unit's may round otherwise.
