@@ -18,7 +18,8 @@ while kill -0 "$pid"; do
   own=$now
   ((most > main)) && main=$most
   children=0
-  for child in $(cat "/proc/$pid/task/"*/children); do
+  read -rd '' -a readers < <(cat "/proc/$pid/task/"*/children)
+  for child in "${readers[@]}"; do
     resident "$child"
     children=$((children + now))
     ((most > reader)) && reader=$most
