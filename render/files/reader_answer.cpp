@@ -37,6 +37,7 @@ Json volume_to_json(const Volume& volume) {
             {"origin", triple(volume.grid.origin)},
             {"type", int(volume.file_type)},
             {"note", volume.note}};
+  if (volume.frames > 1) json["frame"] = {volume.frame, volume.frames};
   for (int column = 0; column < 3; ++column) json["direction"].push_back(triple(volume.direction[column]));
   return json;
 }
@@ -53,6 +54,11 @@ Volume volume_from_json(const Json& json) {
   const int type = integer(json.at("type"));
   if (type < 0 || type > int(ScalarType::float16)) throw Error("a type that is none");
   volume.file_type = ScalarType(type);
+  if (const auto frame = json.find("frame"); frame != json.end()) {
+    volume.frame = integer(frame->at(0));
+    volume.frames = integer(frame->at(1));
+    if (volume.frame < 0 || volume.frame >= volume.frames) throw Error("a frame that is none");
+  }
   constexpr std::size_t longest_note = 4000;  // the reader has made it shorter
   volume.note = printable(json.at("note").get<std::string>(), longest_note);
   return volume;

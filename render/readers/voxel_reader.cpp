@@ -33,11 +33,11 @@ void require_countable(const std::string& name, const VoxelLayout& layout) {
   }
 }
 
-Selection select(const FileRequest& request, const VoxelHeader& header, std::string& note) {
+Selection select(const FileRequest& request, const VoxelHeader& header, Volume& volume) {
   const VoxelLayout& layout = header.layout;
   const std::uint64_t component =
-      select_one(request, ChoiceKind::component, layout.components, note, header.component_names);
-  const std::uint64_t frame = select_one(request, ChoiceKind::frame, layout.frames, note);
+      select_one(request, ChoiceKind::component, layout.components, volume.note, header.component_names);
+  const std::uint64_t frame = select_frame(request, layout.frames, volume);
   Selection selection{layout.start + component * layout.component_stride + frame * layout.frame_stride, 1,
                       layout.stride};
   for (int axis = 0; axis < 3; ++axis) selection.count += (layout.dims[axis] - 1) * layout.stride[axis];
@@ -109,7 +109,7 @@ Volume read_voxels(const FileRequest& request, const VoxelHeader& header, const 
   const VoxelLayout& layout = header.layout;
   require_countable(name, layout);
   Volume volume;
-  const Selection selection = select(request, header, volume.note);
+  const Selection selection = select(request, header, volume);
   const std::uint64_t points = layout.dims.x * layout.dims.y * layout.dims.z;
   request.require_memory(layout.dims, (selection.count + points - 1) / points * size_of(header.type));
   add_note(volume.note, header.note);
