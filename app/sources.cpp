@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "presets/preset_file.h"
+#include "render/files/time_steps.h"
 #include "render/volume/builtin.h"
 
 namespace crest {
@@ -13,10 +14,9 @@ std::string absolute_source(const std::string& source) {
 }
 
 std::vector<std::filesystem::path> files_of(const std::string& source) {
-  std::error_code ignored;
-  for (const std::string& name : {source, source.substr(0, source.find('?'))})
-    if (std::filesystem::exists(name, ignored)) return {name};
-  return {};
+  const auto found = find_source(source);
+  if (!found) return {};
+  return found->list.empty() ? std::vector{found->path} : found->list;
 }
 
 std::vector<std::string> builtin_sources() {
