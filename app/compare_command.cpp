@@ -14,7 +14,6 @@
 #include "app/sources.h"
 #include "presets/json.h"
 #include "presets/names.h"
-#include "render/files/load.h"
 #include "render/scene/camera.h"
 #include "ui/studio.h"
 
@@ -69,8 +68,10 @@ ComparedPictures compare_exactly(const std::vector<Scene>& scenes, const Camera&
 void compare_modes(const CompareOptions& options) {
   const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
   require_output(options.picture);
-  const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
-  const Preset preset = options.picture.with_exact(options.scene.read_preset(*volume, aspect), true);
+  const auto loaded = options.scene.load();
+  const Preset said = options.scene.read_preset();
+  const auto volume = options.scene.in_range_of_steps(loaded, said);
+  const Preset preset = options.picture.with_exact(options.scene.for_volume(said, *volume, aspect), true);
   std::vector<Scene> scenes;
   for (const Mode mode : view_modes) {
     scenes.push_back(make_scene(volume, preset));

@@ -60,6 +60,7 @@ void print_info(const InfoOptions& options) {
   json["voxels"] = volume.grid.point_count();
   json["nan"] = statistics.nan_count;
   json["inf"] = statistics.inf_count;
+  if (volume.frames > 1) json["frames"] = volume.frames, json["frame"] = volume.frame;
   if (!volume.note.empty()) json["note"] = volume.note;
   json["histogram"] = histogram_of(volume.values, statistics.range, options.bins);
   if (options.suggest_peaks || !options.by_value.empty()) {

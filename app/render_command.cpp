@@ -18,7 +18,6 @@
 #include "app/sources.h"
 #include "presets/json.h"
 #include "presets/printable.h"
-#include "render/files/load.h"
 #include "render/measure/probe_scene.h"
 #include "render/measure/timing.h"
 #include "render/scene/camera.h"
@@ -129,12 +128,14 @@ SharedVolume read_volume(const RenderOptions& options) {
   options.picture.pixels();
   require_output(options.picture);
   if (!options.error_bound.empty()) require_picture_file(options.error_bound);
-  return std::make_shared<const Volume>(load_volume(options.scene.volume));
+  return options.scene.load();
 }
 
-void render_picture(RenderOptions options, const SharedVolume& volume) {
+void render_picture(RenderOptions options, const SharedVolume& loaded) {
   const double aspect = aspect_of(options.picture.pixels());
-  const Preset preset = options.picture.with_exact(options.scene.read_preset(*volume, aspect));
+  const Preset said = options.scene.read_preset();
+  const SharedVolume volume = options.scene.in_range_of_steps(loaded, said);
+  const Preset preset = options.picture.with_exact(options.scene.for_volume(said, *volume, aspect));
   if (!options.error_bound.empty() && !is_exact(preset.rendering))
     throw UsageError("--error-bound", "only the exact march knows how far it may be off: add --exact");
   const Scene scene = make_scene(volume, preset);
@@ -146,6 +147,30 @@ void render_picture(RenderOptions options, const SharedVolume& volume) {
     throw UsageError("--watch", "the exact answer on the CPU takes too long for it: another --engine");
   const auto render = preset.rendering.engine == Engine::reference ? render_on_cpu : render_on_gpu;
   render(scene, camera, options);
+}
+
+/// Each time step, by the camera for the first one, in numbered files.
+void render_steps(const RenderOptions& all) {
+  RenderOptions one = all;
+  one.scene.frame = "0";
+  SharedVolume volume = read_volume(one);
+  const int count = volume->frames;
+  const Preset said = all.scene.read_preset();
+  const ValueRange range = all.scene.in_range_of_steps(volume, said)->statistics.range;
+  const double aspect = aspect_of(all.picture.pixels());
+  const OffscreenContext context(all.picture.device);
+  Renderer renderer({}, program_folder());
+  std::optional<Camera> camera;
+  for (int i = 0; i < count; ++i) {
+    one.scene.frame = fmt::format("{}", i);
+    auto step = std::make_shared<Volume>(i == 0 ? *volume : *one.scene.load());
+    volume.reset();
+    widen_range(*step, range);
+    one.preset = all.picture.with_exact(all.scene.for_volume(said, *step, aspect));
+    if (!camera) camera = camera_of(one.preset, step->grid, aspect);
+    one.picture.output = numbered(all.picture.output, i, count).string();
+    draw_and_write(renderer, make_scene(step, one.preset), *camera, one);
+  }
 }
 
 /// Once more whenever the preset's or the volume's file has changed, until Ctrl-C.
@@ -211,12 +236,17 @@ void add_render_command(Options app, Command& chosen) {
   options->automatic.add_to(command);
   command.add_example("crest render builtin:plume --preset dirac-shell -o plume.png");
   command.add_example("crest render head.nrrd --preset my.json --mode PEAK_ONLY --size 800x600 -o head.exr");
+  command.add_example("crest render 'flow_*.vti' --preset my.json --frame all -o flow.png");
   command.add_example("crest render builtin:sphere --preset onion --eye -2,-4,1.5 --up 0,0,1 -o onion.png");
   command.when_read([options, command, &chosen] {
     yield_to_typed(*options, command);
     options->picture.check();
-    if (options->picture.is_to_stdout() && (options->turntable > 1 || options->watch))
-      throw UsageError(options->watch ? "--watch" : "--turntable", "the standard output takes one picture");
+    const bool all_frames = options->scene.is_of_all_frames(), several = all_frames || options->turntable > 1;
+    const char* which = all_frames ? "--frame" : "--turntable";
+    if (options->picture.is_to_stdout() && (several || options->watch))
+      throw UsageError(options->watch ? "--watch" : which, "the standard output takes one picture");
+    if (all_frames && (options->turntable > 1 || options->watch))
+      throw UsageError("--frame", "all frames: without --turntable and --watch");
     options->automatic.check(options->scene);
     if (options->watch && options->scene.is_preset_from_stdin())
       throw UsageError("--watch", "the standard input is read once: a preset's file, or its name");
@@ -227,11 +257,12 @@ void add_render_command(Options app, Command& chosen) {
       throw UsageError("--auto", "--exact is a choice of its own: one of the two");
     if (options->automatic.is_on && !options->error_bound.empty())
       throw UsageError("--error-bound", "of --exact alone, not of --auto");
-    if (options->turntable > 1 &&
-        (options->picture.json || !options->error_bound.empty() || options->automatic.is_on))
-      throw UsageError("--turntable", "takes pictures alone: without --json, --error-bound and --auto");
+    if (several && (options->picture.json || !options->error_bound.empty() || options->automatic.is_on))
+      throw UsageError(which, "takes pictures alone: without --json, --error-bound and --auto");
     chosen = [options] {
-      if (options->watch)
+      if (options->scene.is_of_all_frames())
+        render_steps(*options);
+      else if (options->watch)
         render_and_watch(*options);
       else
         render_picture(*options, read_volume(*options));

@@ -12,6 +12,8 @@
 #include "presets/names.h"
 #include "presets/number_text.h"
 #include "presets/preset_file.h"
+#include "render/files/load.h"
+#include "render/files/time_steps.h"
 #include "render/gl/render_target.h"
 #include "render/scene/camera.h"
 #include "render/scene/exact.h"
@@ -56,6 +58,15 @@ void SceneOptions::add_to(Options options) {
            "standard input")
       .type_name("PRESET")
       .offers(library_names());
+  options
+      .add("--frame", frame,
+           "Of a 4D file, or of a numbered list of files ('flow_*.vti'): which one, counted from 0")
+      .type_name("N")
+      .check([](const std::string& text) {
+        const auto number = to_integer(text);
+        const bool is_right = text == "all" || (number && *number >= 0 && *number < (1 << 30));
+        return is_right ? "" : "a frame is a number from 0; render takes \"all\", too";
+      });
   options.add("--mode", mode, "What a ray collects").type_name("MODE").one_of(words_of<Mode>());
   options.add("--engine", engine, "What renders").type_name("ENGINE").one_of(words_of<Engine>());
   options.add("--illumination", illumination, "What a sample contributes to its ray")
@@ -82,8 +93,28 @@ bool SceneOptions::has_any() const {
   const auto is_given = [](const std::string& text) { return !text.empty(); };
   return fit_range || !sets.empty() ||
          std::ranges::any_of(
-             std::array{preset, mode, engine, illumination, step, eye, target, up, fov, projection},
+             std::array{preset, frame, mode, engine, illumination, step, eye, target, up, fov, projection},
              is_given);
+}
+
+std::string SceneOptions::source() const {
+  if (frame.empty()) return volume;
+  if (is_of_all_frames())
+    throw UsageError("--frame", "one picture is of one frame: its number, counted from 0");
+  return source_of_step(volume, std::stoi(frame));
+}
+
+std::shared_ptr<const Volume> SceneOptions::load() const {
+  return std::make_shared<const Volume>(load_volume(source()));
+}
+
+std::shared_ptr<const Volume> SceneOptions::in_range_of_steps(std::shared_ptr<const Volume> loaded,
+                                                              const Preset& said) const {
+  const bool depends = fit_range || said.transfer_function.domain == Domain::normalized;
+  if (loaded->frames < 2 || !depends) return loaded;
+  auto wide = std::make_shared<Volume>(*loaded);
+  widen_range(*wide, range_of_steps(volume, *loaded));
+  return wide;
 }
 
 Preset SceneOptions::read_preset() const {

@@ -16,6 +16,7 @@ struct SceneOptions {
   std::string volume, preset;
   /// As typed; empty where not given.
   std::string mode, engine, illumination, step, eye, target, up, fov, projection;
+  std::string frame;              ///< a number, or "all"
   std::vector<std::string> sets;  ///< PATH=VALUE
   bool fit_range = false;
 
@@ -24,6 +25,15 @@ struct SceneOptions {
   /// Whether the preset is read from the standard input, which can be done once.
   bool is_preset_from_stdin() const { return preset == "-"; }
   bool has_any() const;  ///< whether anything but the volume was said
+
+  /// The volume's source, with --frame. Throws UsageError for all frames.
+  std::string source() const;
+  bool is_of_all_frames() const { return frame == "all"; }
+  /// source(), read.
+  std::shared_ptr<const Volume> load() const;
+  /// The volume in the range of all its time steps, where that is what the preset's values depend on.
+  std::shared_ptr<const Volume> in_range_of_steps(std::shared_ptr<const Volume> loaded,
+                                                  const Preset& said) const;
 
   /// The preset with what was said on the command line and holds for every volume; without --preset, one with
   /// the default TF. Throws Error.

@@ -4,6 +4,7 @@
 
 #include "app/options.h"
 #include "presets/preset_file.h"
+#include "render/files/time_steps.h"
 #include "render/volume/builtin.h"
 
 namespace crest {
@@ -14,10 +15,9 @@ std::string absolute_source(const std::string& source) {
 }
 
 std::vector<std::filesystem::path> files_of(const std::string& source) {
-  std::error_code ignored;
-  for (const std::string& name : {source, source.substr(0, source.find('?'))})
-    if (std::filesystem::exists(name, ignored)) return {name};
-  return {};
+  const auto found = find_source(source);
+  if (!found) return {};
+  return found->list.empty() ? std::vector{found->path} : found->list;
 }
 
 void require_other_file(const std::filesystem::path& output, const std::filesystem::path& read) {

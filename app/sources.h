@@ -10,7 +10,8 @@ namespace crest {
 /// as they are.
 std::string absolute_source(const std::string& source);
 
-/// The file or folder that a volume's or a preset's source names, to be watched; none where it is built in.
+/// The file or folder that a volume's or a preset's source names, or the files of a numbered list, to be
+/// watched; none where it is built in.
 std::vector<std::filesystem::path> files_of(const std::string& source);
 
 /// Throws UsageError where a command's output is the file that it reads, which would be lost.

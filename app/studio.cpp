@@ -156,6 +156,7 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.peaks = classification.peaks;
   inputs.surfaces = classification.surfaces;
   inputs.slices = slices_.textures();
+  inputs.steps = shown_steps();
   if (const VolumeValues* values = matters_.values()) {
     inputs.by_value = &values->by_value;
     inputs.suggested = values->suggested;
@@ -212,6 +213,7 @@ void Studio::update_matters(const StudioRequests& requests, bool interactive) {
 
 void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   take_loaded_volume();
+  take_time_step();
   take_choice();
   matters_.take();
   take_thumbnails();
@@ -256,6 +258,7 @@ void Studio::frame(bool close_requested, double render_ms, bool interactive) {
   update_matters(requests, interactive);
   want_thumbnails(requests);
   update_opening(requests);
+  update_time_steps(requests);
   if (const std::string& error = views_.renderer().resources().programs.error(); error != shader_error_) {
     shader_error_ = error;
     if (!error.empty()) say(error, true);

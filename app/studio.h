@@ -22,6 +22,7 @@
 #include "app/studio_settings.h"
 #include "app/thumbnail_maker.h"
 #include "app/thumbnail_store.h"
+#include "app/time_steps.h"
 #include "app/view_difference.h"
 #include "app/view_renderer.h"
 #include "app/volume_loader.h"
@@ -53,9 +54,12 @@ class Studio {
   void open(const std::string& source);
 
   bool wants_to_quit() const { return quit_; }
-  bool is_loading() const { return loader_.is_loading(); }  ///< a volume is being read
+  bool is_loading() const { return loader_.is_loading(); }     ///< a volume is being read
+  bool is_stepping() const { return steps_.is_waited_for(); }  ///< a time step will come up
   /// Whether a thread reads on, although nobody waits for it: VolumeLoader::has_thread.
-  bool leaves_thread() const { return loader_.has_thread() || place_match_.has_thread(); }
+  bool leaves_thread() const {
+    return loader_.has_thread() || place_match_.has_thread() || steps_.has_thread();
+  }
   bool is_drawing() const {
     return views_.is_busy() || rays_.is_busy();
   }  ///< a view, or the inspected ray, is not done
@@ -65,13 +69,13 @@ class Studio {
   /// Something of the work in the background may come up soon, has come up.
   bool is_measuring() const {
     return sweep_.is_active() || choice_.is_running() || matters_.is_active() || thumbnail_maker_.is_busy() ||
-           picture_maker_.is_busy() || raw_preview_.is_busy() || place_match_.is_busy();
+           picture_maker_.is_busy() || raw_preview_.is_busy() || place_match_.is_busy() || steps_.is_active();
   }
   bool has_news() const {
     const auto now = BackgroundSweep::Clock::now();
     return sweep_.has_news(now) || choice_.has_news() || matters_.has_news(now) ||
            thumbnail_maker_.has_news() || picture_maker_.has_news() || raw_preview_.has_news() ||
-           place_match_.has_news();
+           place_match_.has_news() || steps_.has_news(now);
   }
   std::string title() const;
   const Document& document() const { return document_; }
@@ -92,6 +96,11 @@ class Studio {
   void cancel_loading();
   void take_loaded_volume();
   void show(Loaded fresh);
+  void take_time_step();
+  void show_step(std::shared_ptr<const Volume> volume);
+  void update_time_steps(const StudioRequests& requests);
+  std::optional<ShownSteps> shown_steps() const;
+  std::string shown_source() const;
   void ask_what_to_open(const OpenChoice& choice);
   void stop_asking();
   void take_raw_preview();
@@ -153,6 +162,7 @@ class Studio {
   std::vector<Saved> saved_;  ///< each file that the document was in, since undo leads back
   Loaded loaded_;
   VolumeLoader loader_;
+  TimeSteps steps_;                    ///< of loaded_
   bool loading_for_document_ = false;  ///< which names it already: at the start, and after an undo
   FitPreset fit_;                      ///< empty once it was called
   double view_aspect_ = 1;

@@ -56,7 +56,7 @@ constexpr double counting_pause_s = 0.004;  // between looks at what the device 
 
 Document initial_document(const StudioOptions& options) {
   Document document;
-  document.volume_source = options.scene.volume;
+  document.volume_source = options.scene.source();
   document.preset = options.scene.read_preset();
   const std::string& preset = options.scene.preset;
   const bool says_shading = std::ranges::any_of(
@@ -82,7 +82,9 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
   while (!studio.wants_to_quit()) {
     // At rest the program sleeps; while a volume is read, or something is measured, it looks up now and then
     const bool works = settling > 0 || studio.is_drawing();
-    const double pause = studio.is_loading() ? 0.05 : studio.is_measuring() || options.watch ? 0.2 : 1.0;
+    const double pause = studio.is_loading() || studio.is_stepping() ? 0.05
+                         : studio.is_measuring() || options.watch    ? 0.2
+                                                                     : 1.0;
     if (studio.awaits_counts())
       window.poll_events(true, counting_pause_s);
     else
@@ -150,7 +152,7 @@ void run_window(const StudioOptions& options) {
 
 void open_studio(const StudioOptions& options) {
   // What is not there is told before a window opens, as reading it does
-  if (const std::string& source = options.scene.volume; !source.empty() && !is_volume_there(source))
+  if (const std::string source = options.scene.source(); !source.empty() && !is_volume_there(source))
     load_volume(source);
   run_window(options);
 }

@@ -108,7 +108,7 @@ void Studio::leave_volume() {
   place_match_.cancel();
   if (!loading_for_document_ && loaded_.volume)
     last_volume_ =
-        last_volume(*loaded_.volume, loaded_.source, document_.preset.transfer_function, matters_.values());
+        last_volume(*loaded_.volume, shown_source(), document_.preset.transfer_function, matters_.values());
   rays_.forget();
   slices_.forget();
   ui_->ray = {};
@@ -127,6 +127,7 @@ void Studio::show(Loaded fresh) {
   fit_ = nullptr;
   loaded_ = std::move(fresh);
   matters_.set_volume(loaded_.volume);
+  steps_.open(loaded_.source, loaded_.volume);
   if (!loading_for_document_) document_.volume_source = loaded_.source;
   recent_.add(loaded_.source);
   const Volume& volume = *loaded_.volume;
@@ -157,6 +158,7 @@ void Studio::close_volume() {
   loader_.cancel();
   leave_volume();
   loaded_ = {};
+  steps_.open("", nullptr);
   matters_.set_volume(nullptr);
   document_.volume_source.clear();
   say("");

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "app/studio.h"
+#include "render/files/time_steps.h"
 
 // What the studio asks before it can open a volume.
 
@@ -10,7 +11,7 @@ void Studio::ask_what_to_open(const OpenChoice& choice) {
   opening_ = Opening{choice, 0, {}};
   if (choice.kind != ChoiceKind::raw_layout) return;
   std::error_code gone;
-  const std::uintmax_t bytes = std::filesystem::file_size(choice.path, gone);
+  const std::uintmax_t bytes = std::filesystem::file_size(first_file(choice.path), gone);
   if (!gone) opening_->file_bytes = bytes;
 }
 
@@ -31,7 +32,7 @@ void Studio::update_opening(const StudioRequests& requests) {
     say(fmt::format("{} is not opened", opening_->choice.path));
     stop_asking();
   } else if (requests.preview_raw) {
-    raw_preview_.want(opening_->choice.path, *requests.preview_raw);
+    raw_preview_.want(first_file(opening_->choice.path), *requests.preview_raw);
   }
 }
 

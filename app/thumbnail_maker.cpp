@@ -6,7 +6,7 @@
 #include "app/cache_folder.h"
 #include "app/offscreen_context.h"
 #include "app/thread_priority.h"
-#include "render/files/load.h"
+#include "render/files/time_steps.h"
 #include "render/renderer.h"
 #include "render/scene/camera.h"
 
@@ -24,7 +24,7 @@ struct Offscreen {
 
   void open(const ThumbnailJob& job) {
     if (job.volume ? original == job.volume : original && source == job.source) return;
-    original = job.volume ? job.volume : std::make_shared<const Volume>(load_volume(job.source));
+    original = job.volume ? job.volume : std::make_shared<const Volume>(load_first_step(job.source));
     source = job.volume ? "" : job.source;
     small = std::make_shared<const Volume>(with_at_most(*original, most_points));
     renderer.hold(small);

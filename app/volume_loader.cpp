@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "render/files/load.h"
+#include "render/files/time_steps.h"
 
 namespace crest {
 
@@ -23,12 +23,14 @@ Volume read_until(const std::string& source, std::stop_token stop) {
   Reading reading;
   reading.stop = std::move(stop);
   reading.asks = true;
-  return load_volume(source, reading);
+  return load_first_step(source, reading);
 }
 
 }  // namespace
 
 VolumeLoader::VolumeLoader() : VolumeLoader(read_until) {}
+
+VolumeLoader::Read VolumeLoader::default_read() { return read_until; }
 
 VolumeLoader::VolumeLoader(Read read) : read_(std::move(read)) {}
 
@@ -66,6 +68,8 @@ std::optional<VolumeLoader::Result> VolumeLoader::take() {
   if (!job_ || !job_->is_done) return std::nullopt;
   return std::move(std::exchange(job_, nullptr)->result);
 }
+
+bool VolumeLoader::has_news() const { return job_ && job_->is_done; }
 
 bool VolumeLoader::has_thread() const {
   return std::ranges::any_of(threads_, [](const auto& thread) { return !thread.expired(); });

@@ -18,8 +18,9 @@ namespace crest {
 class VolumeLoader {
  public:
   using Read = std::function<Volume(const std::string& source, std::stop_token stop)>;
-  /// Reads with load_volume(), which asks (Reading::asks).
+  /// Reads with load_first_step(), which asks (Reading::asks).
   VolumeLoader();
+  static Read default_read();
   /// `read` is called in other threads, also after the loader is gone.
   explicit VolumeLoader(Read read);
   ~VolumeLoader();
@@ -38,6 +39,7 @@ class VolumeLoader {
   /// Stops what is being read, and lets go of it.
   void cancel();
   bool is_loading() const { return job_ != nullptr; }
+  bool has_news() const;              ///< take() has something
   const std::string& source() const;  ///< of what is being read; is_loading() must be true
   /// What was read, once.
   std::optional<Result> take();

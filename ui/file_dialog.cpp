@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <utility>
 
+#include "render/files/kinds.h"
 #include "ui/import_dialog.h"
 #include "ui/style.h"
 
@@ -112,12 +114,35 @@ std::optional<std::string> take(FileDialog& dialog) {
     }
     return path.string();
   }
-  // A volume's name may carry a query: file.raw?size=...
+  // A volume's name may carry a query: file.raw?size=..., or stand for a list: step_*.raw
   const std::string text = path.string();
-  const bool has_query = dialog.purpose == FilePurpose::open_volume && text.find('?') != std::string::npos;
-  if (has_query || fs::exists(path, ignored)) return text;
+  const bool may_have_more =
+      dialog.purpose == FilePurpose::open_volume && text.find_first_of("?*") != std::string::npos;
+  if (may_have_more || fs::exists(path, ignored)) return text;
   dialog.error = fmt::format("{}: there is no such file", text);
   return std::nullopt;
+}
+
+/// Images and DICOM files are slices, which their folder is opened for.
+void find_list(FileDialog& dialog) {
+  if (std::exchange(dialog.list_of, dialog.name) == dialog.name) return;
+  dialog.list.reset();
+  std::error_code ignored;
+  const fs::path path = typed_path(dialog);
+  if (dialog.name.empty() || !fs::is_regular_file(path, ignored) || is_image(path) || is_dicom(path)) return;
+  dialog.list = numbered_list_of(path);
+}
+
+/// Returns the pattern of the list that the chosen file is one of, when all are to be opened.
+std::optional<std::string> list_button(FileDialog& dialog, WidgetState& widgets) {
+  find_list(dialog);
+  if (!dialog.list) return std::nullopt;
+  const bool pressed =
+      ImGui::Button(fmt::format("Open all {} as time steps###all steps", dialog.list->count).c_str());
+  note_item(widgets, "open all steps");
+  tip(dialog.list->pattern.filename().string().c_str());
+  ImGui::SameLine();
+  return pressed ? std::optional(dialog.list->pattern.string()) : std::nullopt;
 }
 
 bool passes(const FileDialog& dialog, const FileDialog::Entry& entry) {
@@ -190,6 +215,7 @@ std::optional<std::string> buttons(FileDialog& dialog, WidgetState& widgets) {
     if (ImGui::Button("Open this folder")) chosen = dialog.folder.string();
     tip("A DICOM series or a stack of images");
     ImGui::SameLine();
+    if (const auto all = list_button(dialog, widgets)) chosen = all;
   }
   if (dialog.purpose == FilePurpose::open_preset) {
     parts_choice(widgets, dialog.take);

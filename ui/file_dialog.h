@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "presets/exchange/importers.h"
+#include "render/files/time_steps.h"
 #include "ui/widgets.h"
 
 namespace crest {
@@ -37,6 +38,8 @@ struct FileDialog {
   std::string_view extension;    ///< with its dot, where a person gives none; of an export
   TfParts take = TfParts::both;  ///< of a preset that is opened
   std::string error;
+  std::string list_of;                              ///< the name that `list` is about
+  std::optional<NumberedList> list;                 ///< of volumes, which the chosen file is one of
   std::optional<std::filesystem::path> to_replace;  ///< the question before overwriting is open
 };
 

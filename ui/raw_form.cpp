@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "render/files/time_steps.h"
 #include "ui/number_field.h"
 #include "ui/style.h"
 
@@ -142,7 +143,7 @@ void slice(const RawPicture& picture, glm::ivec3 size) {
 
 void begin_raw_form(OpeningState& opening, const Opening& asked) {
   opening.layout = layout_of(asked.choice.query);
-  opening.guesses = likely_layouts(asked.choice.path, asked.file_bytes);
+  opening.guesses = likely_layouts(first_file(asked.choice.path), asked.file_bytes);
   const Query& query = asked.choice.query;
   if (query.contains("size") || opening.guesses.empty()) return;
   // What the query says is no guess

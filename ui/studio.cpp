@@ -33,6 +33,7 @@
 #include "ui/start_page.h"
 #include "ui/status_bar.h"
 #include "ui/style.h"
+#include "ui/time_step_row.h"
 #include "ui/transfer_function_editor.h"
 #include "ui/value_curves.h"
 #include "ui/views_panel.h"
@@ -128,6 +129,16 @@ bool side(Document& document, StudioState& state, const StudioInputs& inputs, St
   return changed;
 }
 
+bool views_and_steps(Document& document, StudioState& state, const StudioInputs& inputs,
+                     StudioRequests& requests) {
+  const float row = inputs.steps ? time_step_row_height() : 0;
+  const ImVec2 corner = ImGui::GetCursorPos(), room = ImGui::GetContentRegionAvail();
+  const bool changed = views_panel(document, state, inputs, requests, {room.x, std::max(room.y - row, 1.0F)});
+  ImGui::SetCursorPos({corner.x, corner.y + room.y - row + scaled(8)});
+  time_step_row(state, inputs, requests);
+  return changed;
+}
+
 bool main_area(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests,
                float height) {
   const float width = ImGui::GetContentRegionAvail().x;
@@ -143,7 +154,7 @@ bool main_area(Document& document, StudioState& state, const StudioInputs& input
   if (!inputs.volume && inputs.loading.empty() && document.volume_source.empty())
     start_page(document, state, inputs, requests);
   else
-    changed |= views_panel(document, state, inputs, requests);
+    changed |= views_and_steps(document, state, inputs, requests);
   ImGui::EndChild();
   error_banner(state, inputs, requests, ImGui::GetItemRectMin(), ImGui::GetItemRectSize().x);
   ImGui::SameLine(0, scaled(4));

@@ -77,6 +77,14 @@ struct RecoveryOffer {
 };
 enum class RecoveryAnswer { restore, discard, later };
 
+/// The time steps of the volume, which are counted from 0.
+struct ShownSteps {
+  int count = 0;
+  int shown = 0, wanted = 0;  ///< the same, unless one is being read
+  int known_ranges = 0;       ///< of so many the range is known
+  bool is_playing = false;
+};
+
 /// The middle slice of a file of raw voxels, as a form says that they lie.
 struct RawPicture {
   std::uintptr_t texture = 0;  ///< an ImTextureID, row 0 at the top; 0 while there is none
@@ -136,6 +144,7 @@ struct StudioInputs {
   std::span<const Imported> imported;
   TfParts import_take = TfParts::both;
   const Opening* opening = nullptr;  ///< null while there is nothing to choose
+  std::optional<ShownSteps> steps;   ///< where there are several
   std::optional<RecoveryOffer> recovery;
   bool unsaved_changes = false;   ///< of the preset, the camera aside: worth a question before they are lost
   const Preset* saved = nullptr;  ///< the preset as its file has it; null where it has none
@@ -186,9 +195,11 @@ struct StudioRequests {
   bool cancel_opening = false;           ///< nothing is chosen; open_volume says what is
   std::optional<RawLayout> preview_raw;  ///< of the file that is to be opened, as long as it is to be seen
   bool close_volume = false;
-  bool shows_start_page = false;  ///< in place of the views
-  bool shows_library = false;     ///< its presets' pictures are wanted
-  bool reads_library = false;     ///< the folder may have changed
+  std::optional<int> go_to_step;   ///< of the time steps
+  std::optional<bool> play_steps;  ///< begins to play them, or ends it
+  bool shows_start_page = false;   ///< in place of the views
+  bool shows_library = false;      ///< its presets' pictures are wanted
+  bool reads_library = false;      ///< the folder may have changed
   std::optional<LibraryRequest> library;
   bool new_preset = false;
   /// To be done first; when it fails, the program neither quits nor opens anything else.

@@ -138,6 +138,38 @@ void add_switches(std::vector<Action>& table) {
              &ViewsState::error_bound, toggle_error_bound, 'B');
 }
 
+std::string needs_steps(const ActionContext& c) {
+  return c.inputs.steps ? "" : "the volume has no time steps";
+}
+
+void add_step_actions(std::vector<Action>& table) {
+  const auto add_step = [&](const char* name, int letter, int by) {
+    add(table, {.name = name,
+                .key = {letter},
+                .when = KeyWhen::not_typing,
+                .separated = by < 0,
+                .why_not = needs_steps,
+                .run = [by](const ActionContext& c) {
+                  const ShownSteps& steps = *c.inputs.steps;
+                  c.requests.go_to_step = glm::clamp(steps.wanted + by, 0, steps.count - 1);
+                  return false;
+                }});
+  };
+  add_step("Previous time step", ',', -1);
+  add_step("Next time step", '.', 1);
+  add(table, {.name = "Play time steps",
+              .key = {'T'},
+              .when = KeyWhen::not_typing,
+              .tip = "Step after step as they are read, ten a second at most",
+              .why_not = needs_steps,
+              .checked = [](const ActionContext& c) { return c.inputs.steps && c.inputs.steps->is_playing; },
+              .run =
+                  [](const ActionContext& c) {
+                    c.requests.play_steps = !c.inputs.steps->is_playing;
+                    return false;
+                  }});
+}
+
 void add_grid_actions(std::vector<Action>& table) {
   for (int i = 0; i < view_count; ++i)
     add(table, {.name = fmt::format("View {} alone", i + 1),
@@ -184,6 +216,7 @@ void add_view_actions(std::vector<Action>& table) {
   add_camera_actions(table);
   add_switches(table);
   add_grid_actions(table);
+  add_step_actions(table);
   add(table, {.name = "Back",
               .key = {key::escape},
               .when = KeyWhen::at_rest,

@@ -205,9 +205,9 @@ ShownPicture shown_by_all(const ViewsState& views) {
                              : ShownPicture::exact;
 }
 
-bool views_panel(Document& document, StudioState& state, const StudioInputs& inputs,
-                 StudioRequests& requests) {
-  const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+bool views_panel(Document& document, StudioState& state, const StudioInputs& inputs, StudioRequests& requests,
+                 ImVec2 room) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
   ViewsState& views = state.views;
   std::optional<glm::vec2> cursor;
   bool changed = false;

@@ -20,7 +20,6 @@
 #include "presets/names.h"
 #include "presets/number_text.h"
 #include "presets/preset_file.h"
-#include "render/files/load.h"
 #include "render/scene/camera.h"
 
 namespace crest {
@@ -78,6 +77,7 @@ std::string render_command(const SceneOptions& scene, const std::string& size, c
   add("--eye", scene.eye);
   add("--target", scene.target);
   add("--up", scene.up);
+  add("--frame", scene.frame);
   add("--fov", scene.fov);
   add("--projection", scene.projection);
   for (const std::string& assignment : scene.sets) add("--set", assignment);
@@ -91,8 +91,10 @@ Report subject_of(const ReportOptions& options) {
   report.size = pixels_of(options.size);
   report.settings.budget_seconds = budget_seconds(options.budget);
   report.settings.target = target_option(options.target);
-  const auto volume = std::make_shared<const Volume>(load_volume(options.scene.volume));
-  const Preset preset = options.scene.read_preset(*volume, aspect_of(report.size));
+  const auto loaded = options.scene.load();
+  const Preset said = options.scene.read_preset();
+  const auto volume = options.scene.in_range_of_steps(loaded, said);
+  const Preset preset = options.scene.for_volume(said, *volume, aspect_of(report.size));
   report.scene = make_scene(volume, preset);
   if (const std::string why = why_without_answer(preset.rendering); !why.empty()) throw Error(why);
   report.camera = camera_of(preset, volume->grid, aspect_of(report.size));

@@ -18,6 +18,7 @@
 #include "render/files/other_formats.h"
 #include "render/files/raw_reader.h"
 #include "render/files/read_beside.h"
+#include "render/files/time_steps.h"
 #include "render/volume/builtin.h"
 
 namespace crest {
@@ -76,18 +77,6 @@ const Reader* find_reader(const fs::path& path) {
   return nullptr;
 }
 
-/// "NAME?query": the longest NAME that there is, because a real file's name may hold a "?" too.
-std::optional<std::pair<fs::path, std::string>> split_source(const std::string& source) {
-  std::error_code ignored;
-  if (fs::exists(source, ignored)) return {{source, ""}};
-  for (std::size_t at = source.rfind('?'); at != std::string::npos && at > 0;
-       at = source.rfind('?', at - 1)) {
-    const fs::path path = source.substr(0, at);
-    if (fs::exists(path, ignored)) return {{path, source.substr(at + 1)}};
-  }
-  return std::nullopt;
-}
-
 Volume read_folder(const FileRequest& request) {
   const auto has = [&](bool (*is_one)(const fs::path&)) {
     return std::ranges::any_of(fs::directory_iterator(request.path),
@@ -139,6 +128,46 @@ Volume read_builtin(const std::string& source, const Reading& reading) {
   }
 }
 
+/// The path alone, which is there.
+Volume load_path(const FileRequest& request) {
+  const fs::path& path = request.path;
+  Volume volume = guarded(request);
+  repair_geometry(volume);
+  volume.file.path = fs::absolute(path).lexically_normal().string();
+  volume.name = path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
+  volume.statistics = compute_statistics(volume.grid, volume.values);
+  return volume;
+}
+
+/// One of a numbered list, as the query says.
+Volume load_listed(const std::vector<fs::path>& list, FileRequest request) {
+  const std::string name = request.name();
+  const OpenChoice choice{ChoiceKind::frame, name, request.query, list.size(), {}};
+  if (list.size() > 1 && !request.query.contains("frame"))
+    throw ChoiceNeeded(fmt::format("{}: these are {} files, and a volume is one: take the first with "
+                                   "?frame=0 (or --frame 0)",
+                                   name, list.size()),
+                       choice);
+  const std::int64_t last = std::int64_t(list.size()) - 1;
+  const auto frame = std::size_t(integer_in(name, request.query, "frame", 0, 0, last));
+  request.query.erase("frame");
+  request.path = list[frame];
+  try {
+    Volume volume = load_path(request);
+    volume.frames = int(list.size());
+    volume.frame = int(frame);
+    return volume;
+  } catch (ChoiceNeeded& needed) {
+    if (needed.choice.kind == ChoiceKind::frame)
+      throw Error(fmt::format("{}: one of a numbered list has to be a single volume, and it has {} frames",
+                              needed.choice.path, needed.choice.count));
+    needed.choice.path = name;
+    if (const auto said = choice.query.find("frame"); said != choice.query.end())
+      needed.choice.query.insert(*said);
+    throw;
+  }
+}
+
 }  // namespace
 
 std::vector<VolumeFormat> volume_formats() {
@@ -148,21 +177,20 @@ std::vector<VolumeFormat> volume_formats() {
 }
 
 bool is_volume_there(const std::string& source) {
-  return source.starts_with(builtin_prefix) || split_source(source);
+  return source.starts_with(builtin_prefix) || find_source(source);
 }
 
 Volume load_volume(const std::string& source, const Reading& reading) {
   if (source.starts_with(builtin_prefix)) return read_builtin(source, reading);
-  const auto found = split_source(source);
-  if (!found)
-    throw Error(fmt::format("{}: there is no such file or folder", source.substr(0, source.find('?'))));
-  const auto& [path, query] = *found;
-  Volume volume = guarded({path, parse_query(path.string(), query), reading});
-  repair_geometry(volume);
-  volume.file.path = fs::absolute(path).lexically_normal().string();
-  volume.name = path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
-  volume.statistics = compute_statistics(volume.grid, volume.values);
-  return volume;
+  const auto found = find_source(source);
+  if (!found) {
+    const std::string path = source.substr(0, source.find('?'));
+    const char* what =
+        path.find('*') == path.npos ? "file or folder" : "file, nor one with a number for the *";
+    throw Error(fmt::format("{}: there is no such {}", path, what));
+  }
+  const FileRequest request{found->path, parse_query(found->path.string(), found->query), reading};
+  return found->list.empty() ? load_path(request) : load_listed(found->list, request);
 }
 
 }  // namespace crest

@@ -70,6 +70,7 @@ Json volume_to_json(const Volume& volume) {
   Json json{{"dims", triple(volume.grid.dims)},     {"spacing", triple(volume.grid.spacing)},
             {"origin", triple(volume.grid.origin)}, {"type", int(volume.file_type)},
             {"in_patient", volume.is_in_patient},   {"note", volume.note}};
+  if (volume.frames > 1) json["frame"] = {volume.frame, volume.frames};
   for (int column = 0; column < 3; ++column) json["direction"].push_back(triple(volume.direction[column]));
   if (volume.part) json["part"] = part_to_json(*volume.part);
   return json;
@@ -89,6 +90,11 @@ Volume volume_from_json(const Json& json) {
   if (const auto part = json.find("part"); part != json.end()) volume.part = part_from_json(*part);
   if (volume.part && volume.part->dims() != glm::u64vec3(volume.grid.dims))
     throw Error("a part that is another one");
+  if (const auto frame = json.find("frame"); frame != json.end()) {
+    volume.frame = integer(frame->at(0));
+    volume.frames = integer(frame->at(1));
+    if (volume.frame < 0 || volume.frame >= volume.frames) throw Error("a frame that is none");
+  }
   constexpr std::size_t longest_note = 4000;  // the reader has made it shorter
   volume.note = printable(json.at("note").get<std::string>(), longest_note);
   return volume;

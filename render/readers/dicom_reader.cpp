@@ -146,8 +146,7 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   const DicomStack stack = stack_dicom(name, std::move(images));
   add_note(note, stack.note);
   Volume volume;
-  const auto frame = std::size_t(
-      select_one(request, ChoiceKind::frame, stack.frames.size(), volume.note, stack.frame_names));
+  const auto frame = std::size_t(select_frame(request, stack.frames.size(), volume, stack.frame_names));
   const Images& slices = stack.frames[frame];
   const DicomImage& first = slices.front();
   const auto component =

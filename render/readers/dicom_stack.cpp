@@ -10,7 +10,7 @@
 #include <set>
 
 #include "presets/error.h"
-#include "render/readers/natural_order.h"
+#include "render/files/natural_order.h"
 #include "render/readers/voxel_header.h"
 
 namespace crest {

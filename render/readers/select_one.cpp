@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "render/readers/voxel_header.h"
 
 namespace crest {
@@ -31,8 +34,9 @@ std::uint64_t select_one(const FileRequest& request, ChoiceKind kind, std::uint6
     constexpr std::size_t most_listed = 32;
     const std::string list =
         named && count <= most_listed ? fmt::format(" ({})", fmt::join(names, ", ")) : std::string();
-    throw ChoiceNeeded(fmt::format("{}: it has {} {}s{}, and a volume is one: take the first with ?{}=0",
-                                   request.name(), count, key, list, key),
+    const std::string_view option = kind == ChoiceKind::frame ? " (or --frame 0)" : "";
+    throw ChoiceNeeded(fmt::format("{}: it has {} {}s{}, and a volume is one: take the first with ?{}=0{}",
+                                   request.name(), count, key, list, key, option),
                        {kind, request.name(), request.query, count,
                         named ? options_of(key, names) : std::vector<ChoiceOption>()});
   }
@@ -42,6 +46,15 @@ std::uint64_t select_one(const FileRequest& request, ChoiceKind kind, std::uint6
     add_note(note, fmt::format("{} {} of {} (counted from 0{}{})", key, index, count, named ? ": " : "",
                                named ? names[index] : ""));
   }
+  return index;
+}
+
+std::uint64_t select_frame(const FileRequest& request, std::uint64_t count, Volume& volume,
+                           const Names& names) {
+  const std::uint64_t index = select_one(request, ChoiceKind::frame, count, volume.note, names);
+  constexpr std::uint64_t most = std::numeric_limits<int>::max();
+  volume.frames = int(std::clamp<std::uint64_t>(count, 1, most));
+  volume.frame = int(std::min(index, most - 1));
   return index;
 }
 

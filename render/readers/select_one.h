@@ -6,6 +6,7 @@
 
 #include "render/files/file_request.h"
 #include "render/files/open_choice.h"
+#include "render/volume/volume.h"
 
 namespace crest {
 
@@ -19,5 +20,8 @@ Names colour_names(std::uint64_t components);
 /// query does not say which. What was taken goes to `note`. `kind` is component or frame.
 std::uint64_t select_one(const FileRequest& request, ChoiceKind kind, std::uint64_t count, std::string& note,
                          const Names& names = {});
+/// The same of frames, told to `volume`, whose frame it is.
+std::uint64_t select_frame(const FileRequest& request, std::uint64_t count, Volume& volume,
+                           const Names& names = {});
 
 }  // namespace crest

@@ -7,7 +7,7 @@
 #include "render/files/geometry.h"
 #include "render/files/header_text.h"
 #include "render/files/kinds.h"
-#include "render/readers/natural_order.h"
+#include "render/files/natural_order.h"
 #include "render/readers/page_file.h"
 #include "render/readers/readers.h"
 #include "render/readers/select_one.h"
@@ -66,6 +66,7 @@ struct Stack {
   std::size_t channel = 0;
   std::optional<glm::dvec3> spacing = {};
   std::string note = {};
+  int frames = 1, frame = 0;  ///< as the volume's
 };
 
 Volume read_stack(const FileRequest& request, const Stack& stack) {
@@ -78,6 +79,8 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
   Volume volume;
   volume.file_type = first.type;
   volume.note = stack.note;
+  volume.frames = stack.frames;
+  volume.frame = stack.frame;
   const bool spacing_known = stack.spacing || request.query.contains("spacing");
   volume.grid = {glm::ivec3(dims), vector_of(request, "spacing", stack.spacing.value_or(glm::dvec3(1))),
                  vector_of(request, "origin", glm::dvec3(0))};
@@ -132,6 +135,8 @@ Volume read_image_pages(const FileRequest& request) {
   for (std::size_t slice = 0; slice < order.slices; ++slice)
     stack.pages.push_back(
         {request.path, order.pages[(frame * order.components + plane) * order.slices + slice]});
+  stack.frames = int(order.frames);  // of which each is a page at least
+  stack.frame = int(frame);
   stack.spacing = order.spacing;
   add_note(stack.note, order.note);
   return read_stack(request, stack);

@@ -77,7 +77,7 @@ Volume read_voxels(const FileRequest& request, const VoxelHeader& header, const 
   Volume volume;
   const std::uint64_t component =
       select_one(request, ChoiceKind::component, layout.components, volume.note, header.component_names);
-  const std::uint64_t frame = select_one(request, ChoiceKind::frame, layout.frames, volume.note);
+  const std::uint64_t frame = select_frame(request, layout.frames, volume);
   const GridPart part = request.part_of(layout.dims);
   request.require_memory(need_of(header, part, held_besides));
   add_note(volume.note, header.note);

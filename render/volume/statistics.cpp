@@ -94,6 +94,23 @@ VolumeStatistics compute_statistics(const Grid& grid, const Voxels& values, int 
   return statistics;
 }
 
+std::optional<ValueRange> finite_range(const Volume& volume) {
+  const VolumeStatistics& statistics = volume.statistics;
+  if (statistics.nan_count + statistics.inf_count >= volume.values.size()) return std::nullopt;
+  return statistics.range;
+}
+
+ValueRange joined(ValueRange a, ValueRange b) { return {std::min(a.min, b.min), std::max(a.max, b.max)}; }
+
+void widen_range(Volume& volume, ValueRange range) {
+  VolumeStatistics& statistics = volume.statistics;
+  const std::optional<ValueRange> own = finite_range(volume);
+  const ValueRange wide = own ? joined(*own, range) : range;
+  if (wide == statistics.range) return;
+  statistics.range = wide;
+  statistics.histogram = histogram_of(volume.values, wide, int(statistics.histogram.size()));
+}
+
 std::vector<std::uint64_t> histogram_of(const Voxels& values, ValueRange range, int bins) {
   using Counts = std::vector<std::uint64_t>;
   const std::size_t size = std::size_t(std::max(bins, 1));

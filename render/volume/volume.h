@@ -36,7 +36,7 @@ bool is_integer(ScalarType type);
 
 /// What the finite voxels of a volume hold.
 struct VolumeStatistics {
-  ValueRange range{0, 0};  ///< of the finite voxels; {0, 0} when there is none
+  ValueRange range{0, 0};  ///< of the finite voxels, or of more (widen_range); {0, 0} when there is none
   double mean = 0, variance = 0;
   std::size_t nan_count = 0, inf_count = 0;
   std::vector<std::uint64_t> histogram;  ///< equal bins over the range, the last one closed
@@ -71,6 +71,8 @@ struct Volume {
   VolumeFile file;
   std::optional<GridPart> part;  ///< that was taken of its file's grid; nothing where that is all of it
   std::string note;              ///< what reading it took, e.g. "first of 3 components"; or empty
+  int frames = 1;                ///< time steps, or other frames, that its source has
+  int frame = 0;                 ///< which of them it is, counted from 0
 
   std::size_t index(int i, int j, int k) const {
     return std::size_t(i) +
@@ -85,6 +87,14 @@ inline constexpr int histogram_bins = 1024;
 
 /// `values` are those of the grid's points, x fastest.
 VolumeStatistics compute_statistics(const Grid& grid, const Voxels& values, int bins = histogram_bins);
+
+/// The range of its finite values; nothing when there is none.
+std::optional<ValueRange> finite_range(const Volume& volume);
+/// The least range that has both.
+ValueRange joined(ValueRange a, ValueRange b);
+/// Widens the range of the statistics, with their histogram, to have this one, too: so that what depends on
+/// the range is the same for all time steps.
+void widen_range(Volume& volume, ValueRange range);
 
 /// The greatest gradient, in value per world unit, that the trilinear field can have: within a cell each
 /// partial derivative is a mean of the differences along four edges.

@@ -6,29 +6,29 @@
 namespace crest {
 
 Voxels::Voxels(Stored stored, LinearMap map)
-    : stored_(std::move(stored)), map_(map), is_mapped_(map != LinearMap()) {}
+    : stored_(std::make_shared<Stored>(std::move(stored))), map_(map), is_mapped_(map != LinearMap()) {}
 
 std::size_t Voxels::size() const {
-  return std::visit([](const auto& stored) { return stored.size(); }, stored_);
+  return std::visit([](const auto& stored) { return stored.size(); }, *stored_);
 }
 
 std::size_t Voxels::byte_count() const {
-  return std::visit([](const auto& stored) { return std::as_bytes(std::span(stored)).size(); }, stored_);
+  return std::visit([](const auto& stored) { return std::as_bytes(std::span(stored)).size(); }, *stored_);
 }
 
 const void* Voxels::data() const {
-  return std::visit([](const auto& stored) { return static_cast<const void*>(stored.data()); }, stored_);
+  return std::visit([](const auto& stored) { return static_cast<const void*>(stored.data()); }, *stored_);
 }
 
 std::span<const float> Voxels::part(std::size_t first, std::size_t count, std::vector<float>& room) const {
-  if (const auto* floats = std::get_if<std::vector<float>>(&stored_))
+  if (const auto* floats = std::get_if<std::vector<float>>(stored_.get()))
     return std::span(*floats).subspan(first, count);
   room.resize(count);
   std::visit(
       [&](const auto& stored) {
         for (std::size_t i = 0; i < count; ++i) room[i] = value_of(stored[first + i]);
       },
-      stored_);
+      *stored_);
   return room;
 }
 
@@ -39,12 +39,12 @@ std::vector<float> Voxels::to_floats() const {
 }
 
 std::vector<float>& Voxels::floats() {
-  if (!are_floats()) *this = to_floats();
-  return std::get<std::vector<float>>(stored_);
+  if (!are_floats() || stored_.use_count() > 1) *this = to_floats();
+  return std::get<std::vector<float>>(*stored_);
 }
 
 bool Voxels::operator==(const Voxels& other) const {
-  if (map_ == other.map_ && stored_.index() == other.stored_.index()) return stored_ == other.stored_;
+  if (map_ == other.map_ && stored_->index() == other.stored_->index()) return *stored_ == *other.stored_;
   if (size() != other.size()) return false;
   for (std::size_t i = 0; i < size(); ++i)
     if ((*this)[i] != other[i]) return false;

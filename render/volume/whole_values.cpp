@@ -22,8 +22,12 @@ std::optional<WholeValues> whole_values(const Volume& volume) {
   if (volume.values.are_floats() || volume.has_empty_cells() || !is_power_of_two(step)) return std::nullopt;
   const double added = intercept / step;  // with what is stored, still a whole number that a float has
   if (added != std::round(added) || !(std::abs(added) < float_integers - most)) return std::nullopt;
+  // The range may be that of more than these values: from the step at its least value or below
   const ValueRange range = volume.statistics.range;
-  return WholeValues{range.min, step, int(range.width() / step)};
+  const double first = std::floor((range.min - intercept) / step),
+               last = std::ceil((range.max - intercept) / step);
+  if (last - first > most || !(std::abs(first + added) < float_integers - most)) return std::nullopt;
+  return WholeValues{intercept + first * step, step, int(last - first)};
 }
 
 void write_steps(const Volume& volume, const WholeValues& whole, std::size_t first, int scale,

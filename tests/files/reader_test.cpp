@@ -83,8 +83,9 @@ TEST_F(FailingReader, MemoryHasAnEnd) {
 TEST_F(FailingReader, AnAnswerIsHeldAgainstItself) {
   for (const char* what : {"short", "unfinished"})
     EXPECT_EQ(error_of(what), "its reader failed (it ended before its answer did)") << what;
-  for (const char* what : {"garbage", "deep", "endless", "count", "negative", "flat", "spacing", "other",
-                           "wide", "raw", "doubles", "no slope", "other part", "no stride"})
+  for (const char* what :
+       {"garbage", "deep", "endless", "count", "negative", "flat", "spacing", "other", "wide", "raw",
+        "doubles", "no slope", "other part", "no stride", "frame", "frames"})
     EXPECT_EQ(error_of(what), "its reader failed (its answer makes no sense)") << what;
   EXPECT_NE(error_of("huge").find("memory"), std::string::npos) << error_of("huge");
 }

@@ -63,6 +63,22 @@ TEST(WholeValues, AreFoundWhereNoValueIsRounded) {
   EXPECT_FALSE(whole_values(*as_floats(ct)));
 }
 
+// As of a time step, whose range is that of all.
+TEST(WholeValues, LieOnTheirStepsInAnyRange) {
+  Volume volume = *stored_gyroid<std::int16_t>(400, 100, {0.5, 3});
+  const double least = volume.statistics.range.min;
+  widen_range(volume, {least - 10.3, least + 1000});
+  const auto whole = whole_values(volume);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->base, least - 10.5);
+  std::vector<std::uint16_t> steps(volume.values.size());
+  write_steps(volume, *whole, 0, 1, steps);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    ASSERT_EQ(float(whole->base + whole->step * steps[i]), volume.values[i]) << i;
+  widen_range(volume, {least - 40000, least});
+  EXPECT_FALSE(whole_values(volume)) << "more steps than 16 bits hold";
+}
+
 TEST(WholeValues, AreWrittenAsStepsFromTheLeastOne) {
   for (const double slope : {1.0, -0.5}) {
     const Ptr volume = stored_gyroid<std::int8_t>(200, -100, {slope, 7});

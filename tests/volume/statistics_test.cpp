@@ -28,6 +28,28 @@ TEST(Statistics, Plateaus) {
   EXPECT_TRUE(statistics_of({1, 2, 3, 4, 5, 6, 7, 8}).plateaus.empty());
 }
 
+TEST(Statistics, MayBeOverAWiderRange) {
+  Volume volume;
+  volume.grid.dims = glm::ivec3(2);
+  volume.values = std::vector<float>{1, 2, 3, NAN, 5, 5, 4, 1};
+  volume.statistics = compute_statistics(volume.grid, volume.values, 4);
+  const Volume before = volume;
+  widen_range(volume, {2, 3});
+  EXPECT_EQ(volume.statistics.range, (ValueRange{1, 5})) << "never narrower than its values";
+  EXPECT_EQ(volume.statistics.histogram, before.statistics.histogram);
+  widen_range(volume, {-3, 2});
+  EXPECT_EQ(volume.statistics.range, (ValueRange{-3, 5}));
+  EXPECT_EQ(volume.statistics.histogram, (std::vector<std::uint64_t>{0, 0, 3, 4}));
+  EXPECT_EQ(volume.statistics.mean, before.statistics.mean);
+  EXPECT_EQ(volume.values.data(), before.values.data()) << "no voxel is copied";
+
+  volume.values = std::vector<float>(8, NAN);
+  volume.statistics = compute_statistics(volume.grid, volume.values, 4);
+  EXPECT_FALSE(finite_range(volume));
+  widen_range(volume, {2, 3});
+  EXPECT_EQ(volume.statistics.range, (ValueRange{2, 3})) << "the 0 of no value is none";
+}
+
 TEST(Statistics, OfAFewValues) {
   const auto s = statistics_of({1, 2, 3, NAN, 6, INFINITY, -INFINITY, NAN}, 5);
   EXPECT_EQ(s.range, (ValueRange{1, 6}));

@@ -44,6 +44,20 @@ TEST(Voxels, OfFloatsAreReadWhereTheyAre) {
   EXPECT_TRUE(room.empty());
 }
 
+TEST(Voxels, AreSharedByCopiesUntilOneIsChanged) {
+  Voxels voxels(std::vector<float>{1, 2, 3});
+  const Voxels copy = voxels;
+  EXPECT_EQ(copy.data(), voxels.data());
+  voxels.floats()[1] = 7;
+  EXPECT_EQ(copy, Voxels(std::vector<float>{1, 2, 3}));
+  EXPECT_EQ(voxels, Voxels(std::vector<float>{1, 7, 3}));
+  const void* alone = voxels.data();
+  voxels.floats()[0] = 8;
+  EXPECT_EQ(voxels.data(), alone) << "nobody else holds it";
+  const Voxels taken = std::move(voxels);
+  EXPECT_EQ(taken.data(), alone);
+}
+
 TEST(Voxels, AreFloatsOnceTheyAreChanged) {
   Voxels voxels(std::vector<std::uint8_t>{1, 2, 3}, {2, 1});
   const Voxels before = voxels;

@@ -50,6 +50,11 @@ std::string with_part(const std::string& full, const std::string& stride) {
                                                   full + R"(,"stride":)" + stride + "}");
 }
 
+std::string with_frame(const std::string& frame) {
+  std::string text = volume();
+  return text.insert(text.find(R"("note":)"), R"("frame":)" + frame + ",");
+}
+
 /// Never silent, and never done.
 [[noreturn]] void drip() {
   while (true) {
@@ -162,6 +167,8 @@ int main(int argc, char** argv) {
   if (what == "drip") drip();
   if (what == "repeat") repeat();
   if (what == "wide") std::cout << volume("[4294967298,2,2]", "8") << voxels;
+  if (what == "frame") std::cout << with_frame("[3,3]") << voxels;
+  if (what == "frames") std::cout << with_frame("[0,4294967298]") << voxels;
   if (what == "note") std::cout << with_note("a\\u001b[31m" + std::string(100000, 'x')) << voxels;
   if (what == "choice" || what == "raw")
     std::cout << R"({"error":"choose","choice":{"kind":)" << (what == "raw" ? 0 : 2)

@@ -1,4 +1,4 @@
-#include "render/readers/natural_order.h"
+#include "render/files/natural_order.h"
 
 #include <cctype>
 
