@@ -70,7 +70,7 @@ Rounding put_slab(const VoxelLayout& layout, const Box& box, const StoredAs& sto
         }
         return lost;
       },
-      joined);
+      [](const Rounding& a, const Rounding& b) { return joined(a, b); });
 }
 
 }  // namespace
