@@ -85,8 +85,8 @@ bool color_picker(const char* name, glm::dvec3& color);
 
 /// The width of a combo box that shows this text whole.
 float choice_width(const std::string& text);
-/// A combo box over names; `value` counts them from 0, and is "mixed" beyond them. Where it is too narrow for its text
-/// the arrow is left out.
+/// A combo box over names; `value` counts them from 0, and is "mixed" beyond them. Where it is too narrow for
+/// its text the arrow is left out.
 bool choice(WidgetState& state, const char* name, int& value, std::span<const std::string_view> names,
             float width);
 /// A combo box over the values of an enum, by the names that they have in files.
