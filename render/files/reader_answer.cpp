@@ -53,8 +53,9 @@ GridPart part_from_json(const Json& json) {
   for (int axis = 0; axis < 3; ++axis) {
     if (part.stride[axis] < 1 || part.first[axis] >= part.end[axis] || part.end[axis] > part.full[axis])
       throw Error("a part that is none");
-    if (part.dims()[axis] < 2) throw Error("a part that is no volume");
   }
+  const glm::u64vec3 dims = part.dims();
+  if (dims.x < 2 || dims.y < 2 || dims.z < 2) throw Error("a part that is no volume");
   return part;
 }
 

@@ -18,6 +18,7 @@ class Contestant {
         target_(size, frame.counts),
         raycaster_(shaders) {
     raycaster_.force(frame.forced);
+    if (frame.in_bricks) raycaster_.resources().whole_volume_bytes = 0;
     draw_ms();  // uploads and compiles
   }
   double draw_ms() {

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "render/raycaster/raycaster.h"
@@ -19,6 +20,17 @@ VolumePtr with_hole(Volume volume) {
   const glm::ivec3 dims = volume.grid.dims, middle = dims / 2;
   volume.values.floats()[std::size_t(middle.x + dims.x * (middle.y + dims.y * middle.z))] =
       std::numeric_limits<float>::quiet_NaN();
+  volume.statistics = compute_statistics(volume.grid, volume.values);
+  return std::make_shared<const Volume>(std::move(volume));
+}
+
+/// The same in 8 bits.
+VolumePtr in_steps(Volume volume) {
+  const ValueRange range = volume.statistics.range;
+  std::vector<std::uint8_t> stored;
+  for (const float value : volume.values.to_floats())
+    stored.push_back(std::uint8_t(std::lround(255 * (double(value) - range.min) / range.width())));
+  volume.values = Voxels(std::move(stored), {});
   volume.statistics = compute_statistics(volume.grid, volume.values);
   return std::make_shared<const Volume>(std::move(volume));
 }
@@ -109,6 +121,8 @@ std::vector<FeatureCase> ray_cases(const VolumePtr& volume) {
       forceable(&Features::early_termination, with(dense, &Rendering::early_termination, 0.01), dense),
       forceable(&Features::skipping, sparse, full),
       forceable(&Features::empty_cells, holed, plain),
+      {"whole_values", {scene_of(in_steps(*volume), haze_with_spikes({0.5}), Mode::both)}, {plain}},
+      {"bricks", {plain, {}, false, true}, {plain}},
       long_rays,
       statistics,
   };
@@ -189,6 +203,7 @@ std::vector<FeatureCase> feature_cases() {
 Need need_of(const Frame& frame, glm::ivec2 size) {
   Raycaster raycaster;
   raycaster.force(frame.forced);
+  if (frame.in_bricks) raycaster.resources().whole_volume_bytes = 0;
   return raycaster.need(frame.scene, whole_volume_camera(frame.scene.volume->grid, 1), size, frame.counts);
 }
 

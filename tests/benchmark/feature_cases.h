@@ -14,7 +14,8 @@ namespace crest::bench {
 struct Frame {
   Scene scene;
   Forced forced = {};
-  bool counts = false;  ///< whether costs are counted
+  bool counts = false;     ///< whether costs are counted
+  bool in_bricks = false;  ///< whether the device holds what shows of the volume
 };
 
 /// What a feature costs: the frame of a scene that needs it, and the frame of a scene as near to that as may

@@ -13,12 +13,13 @@ width=1000 height=700
 look() {
   local name at_x at_y
   names=() places=()
+  [ -f "$layout" ] || return 0
   while IFS=$'\t' read -r name at_x at_y; do
     case $name in title | busy | Quit | "Quit anyway" | "folder up") continue ;; esac
     [ -n "$at_y" ] || continue
     [ "$at_x" -ge 0 ] && [ "$at_x" -lt $width ] && [ "$at_y" -ge 0 ] && [ "$at_y" -lt $height ] || continue
     names+=("$name") places+=("$at_x $at_y")
-  done < <(cat "$layout" 2>/dev/null)
+  done <"$layout" # not from a process: bash waits for ever for a program that gets the number of an old one
 }
 
 # The place of one whose name begins so, in `chosen`; false if there is none.
