@@ -87,7 +87,7 @@ void help_window(StudioState& state) {
   center_next_window();
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowSize(
-      {std::min(scaled(960), display.x * 0.95F), std::min(scaled(860), display.y * 0.95F)});
+      {std::min(scaled(960), display.x * 0.95F), std::min(scaled(940), display.y * 0.95F)});
   bool open = true;
   if (!ImGui::BeginPopupModal(name, &open, ImGuiWindowFlags_NoResize)) return;
   const float height = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing() - scaled(4);

@@ -136,7 +136,6 @@ TEST_F(Actions, CompareTheViewThatFillsTheGridWithTheNext) {
 }
 
 TEST_F(Actions, TheListOfKeysHasAllOfThem) {
-  ImGui::GetIO().DisplaySize = {1720, 1600};  // so that nothing has to be scrolled
   key(key::f1);
   frames(3);
   ASSERT_TRUE(has("close help"));
