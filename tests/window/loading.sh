@@ -5,12 +5,12 @@ set -eu
 program=$1 screenshot=$2
 source "$(dirname "$0")/drive.sh"
 mkdir "$work/stack"
-for i in $(seq 2000); do printf 'P2\n2 2\n255\n0 1 2 3\n' >"$work/stack/$i.pgm"; done
+for i in $(seq 10000); do printf 'P2\n2 2\n255\n0 1 2 3\n' >"$work/stack/$i.pgm"; done
 
 reader= # its process
-# Of the program that `timeout` has started as job $1.
+# Of the program that `timeout` has started as job $1; once it has seen to it that it ends with that.
 stop_reader() {
-  reader=$(pgrep -P "$(pgrep -P "$1")" crest-reader) && kill -STOP "$reader"
+  reader=$(pgrep -P "$(pgrep -P "$1")" crest-reader) && grep -q '^NoNewPrivs:.*1' "/proc/$reader/status" && kill -STOP "$reader"
 }
 reader_is_gone() { ! kill -0 "$reader" 2>/dev/null; }
 open_the_stack() {
