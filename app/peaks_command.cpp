@@ -10,8 +10,8 @@
 #include "render/classify/classification.h"
 #include "render/classify/peak_table.h"
 #include "render/files/load.h"
+#include "render/volume/every_nth_point.h"
 #include "render/volume/filter_bounds.h"
-#include "render/volume/thinned.h"
 
 namespace crest {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/volume/thinned.h"
+#include "render/volume/every_nth_point.h"
 
 #include <fmt/core.h>
 
@@ -9,7 +9,7 @@
 
 namespace crest {
 
-Volume thinned(const Volume& volume, int stride) {
+Volume every_nth_point(const Volume& volume, int stride) {
   const GridPart part =
       part_from_query(volume.name, {{"stride", fmt::format("{}", stride)}}, glm::u64vec3(volume.grid.dims));
   Volume thin;
@@ -31,7 +31,7 @@ std::vector<std::optional<double>> surface_left(const Volume& volume, int stride
                                                 const std::vector<double>& values) {
   const ByValue whole = measure_by_value(volume).value();
   const std::vector<double> before = surface_area(whole),
-                            after = surface_area(measure_by_value(thinned(volume, stride)).value());
+                            after = surface_area(measure_by_value(every_nth_point(volume, stride)).value());
   std::vector<std::optional<double>> left;
   for (const double value : values) {
     const double bin = (value - whole.range.min) / whole.bin_width();

@@ -9,7 +9,7 @@ namespace crest {
 
 /// Every stride-th point on each axis, from the first one on; with the statistics of the whole. Throws Error
 /// where fewer than 2 points are left on an axis.
-Volume thinned(const Volume& volume, int stride);
+Volume every_nth_point(const Volume& volume, int stride);
 
 /// How much of the surfaces at `values` is left when the volume is thinned: the mean area of the isosurfaces
 /// in the bin of by_value.h that holds the value, by that of the whole. About 1 where surfaces are smooth at

@@ -1,4 +1,4 @@
-#include "render/volume/thinned.h"
+#include "render/volume/every_nth_point.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ Volume ball_and_rods() {
   return volume;
 }
 
-TEST(Thinned, SmoothSurfacesStayAndThinOnesAreLost) {
+TEST(EveryNthPoint, SmoothSurfacesStayAndThinOnesAreLost) {
   const Volume volume = ball_and_rods();
   const auto left = surface_left(volume, 2, {50, -25, 1000});
   ASSERT_TRUE(left[0] && left[1]);
@@ -37,13 +37,13 @@ TEST(Thinned, SmoothSurfacesStayAndThinOnesAreLost) {
   EXPECT_FALSE(left[2]);
 }
 
-TEST(Thinned, PointsStayWhereTheyAre) {
-  const Volume volume = ball_and_rods(), thin = thinned(volume, 3);
+TEST(EveryNthPoint, PointsStayWhereTheyAre) {
+  const Volume volume = ball_and_rods(), thin = every_nth_point(volume, 3);
   EXPECT_EQ(thin.grid.dims, glm::ivec3(22));
   EXPECT_EQ(thin.at(4, 5, 6), volume.at(12, 15, 18));
   EXPECT_EQ(thin.grid.origin, volume.grid.origin);
   EXPECT_EQ(full_grid(thin), volume.grid);
-  EXPECT_THROW(thinned(volume, 65), Error);
+  EXPECT_THROW(every_nth_point(volume, 65), Error);
 }
 
 }  // namespace
