@@ -140,7 +140,7 @@ void BrickAtlas::make_room(const BrickSet& bricks, std::size_t missing, std::siz
   last_ = nullptr;
   std::ranges::fill(slot_of_, -1);
   for (const std::size_t count : {wanted + wanted / 4, wanted, least}) {
-    is_full_ = count == least;  // what is drawn in turn takes each other's place
+    is_full_ = count < wanted;  // what is drawn in turn takes each other's place
     slots_ = arranged(count, most);
     const glm::ivec3 size = slots_ * brick_points;
     const double bytes = double(size.x) * double(size.y) * double(size.z) * double(format_.bytes);

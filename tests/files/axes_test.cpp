@@ -13,17 +13,7 @@ namespace {
 using enum ScalarType;
 using std::endian;
 
-class Axes : public FileTest {
- protected:
-  static std::string bytes_of(std::initializer_list<double> numbers, ScalarType type) {
-    std::string bytes;
-    for (const double number : numbers) append_value(bytes, number, type, endian::little);
-    return bytes;
-  }
-  static std::string with(std::string header, std::size_t offset, const std::string& bytes) {
-    return header.replace(offset, bytes.size(), bytes);
-  }
-};
+using Axes = FileTest;
 
 TEST_F(Axes, OfMrcArePutInOrder) {
   std::string file = mrc(int16, endian::little).content;
@@ -86,13 +76,7 @@ TEST_F(Axes, NiftiDirectionsNeedNotBeOrthogonal) {
 }
 
 TEST_F(Axes, SecondNiftiAndPairs) {
-  std::string second(544, '\0');
-  second = with(second, 0, bytes_of({540}, int32));
-  second = with(second, 4, std::string("n+2\0\r\n\x1a\n", 8));
-  second = with(second, 12, bytes_of({4, 16}, int16));
-  second = with(second, 16, bytes_of({3, 5, 4, 3, 1, 1, 1, 1}, int64));
-  second = with(second, 104, bytes_of({1, 1, 2, 3}, float64));
-  second = with(second, 168, bytes_of({544}, int64));
+  const std::string second = nifti2_header();
   const Volume volume = load_volume(write("two.nii", second + voxel_bytes(int16, endian::little)));
   EXPECT_EQ(volume.grid.spacing, glm::dvec3(1, 2, 3));
   EXPECT_EQ(volume.values[11], float(stored_value(int16, 11)));

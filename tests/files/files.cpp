@@ -212,6 +212,16 @@ Sample mhd(ScalarType type, std::endian endian) {
           voxel_bytes(type, endian)};
 }
 
+std::string bytes_of(std::initializer_list<double> numbers, ScalarType type) {
+  std::string bytes;
+  for (const double number : numbers) append_value(bytes, number, type, std::endian::little);
+  return bytes;
+}
+
+std::string with(std::string bytes, std::size_t at, const std::string& part) {
+  return bytes.replace(at, part.size(), part);
+}
+
 std::string nifti_header(ScalarType type, std::endian endian, float slope, float intercept) {
   using enum ScalarType;
   HeaderBytes header(352, endian);
@@ -228,6 +238,18 @@ std::string nifti_header(ScalarType type, std::endian endian, float slope, float
   for (std::size_t i = 0; i < 3; ++i) header.put(268 + 4 * i, double(10 * (i + 1)), float32);
   header.put(344, std::string("n+1\0", 4));
   return header.bytes();
+}
+
+std::string nifti2_header() {
+  using enum ScalarType;
+  std::string header(544, '\0');
+  header = with(header, 0, bytes_of({540}, int32));
+  header = with(header, 4, std::string("n+2\0\r\n\x1a\n", 8));
+  header = with(header, 12, bytes_of({4, 16}, int16));
+  header = with(header, 16, bytes_of({3, 5, 4, 3, 1, 1, 1, 1}, int64));
+  header = with(header, 104, bytes_of({1, 1, 2, 3}, float64));
+  header = with(header, 168, bytes_of({544}, int64));
+  return header;
 }
 
 Sample nifti(ScalarType type, std::endian endian) {

@@ -54,8 +54,15 @@ Sample vtk(ScalarType type, std::endian endian);        ///< big-endian only
 Sample vtk_ascii(ScalarType type, std::endian endian);  ///< of no byte order
 Sample mrc(ScalarType type, std::endian endian);        ///< int8, int16, uint16 and float32 only
 
+/// Numbers as they are stored, little-endian; and `bytes` with some of them, from `at` on, in place of
+/// others.
+std::string bytes_of(std::initializer_list<double> numbers, ScalarType type);
+std::string with(std::string bytes, std::size_t at, const std::string& part);
+
 /// A NIfTI-1 header with the sizes of the small volume.
 std::string nifti_header(ScalarType type, std::endian endian, float slope, float intercept);
+/// Of the second version: int16, little-endian, voxels at 544.
+std::string nifti2_header();
 std::string gzip(const std::string& bytes);
 
 /// An element of a little-endian DICOM file that says its types, and a number as such an element's value.

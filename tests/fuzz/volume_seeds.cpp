@@ -14,16 +14,6 @@ using enum ScalarType;
 using std::endian;
 using namespace crest::test;
 
-std::string bytes_of(std::initializer_list<double> numbers, ScalarType type) {
-  std::string bytes;
-  for (const double number : numbers) append_value(bytes, number, type, endian::little);
-  return bytes;
-}
-
-std::string with(std::string bytes, std::size_t at, const std::string& part) {
-  return bytes.replace(at, part.size(), part);
-}
-
 std::string numbers(int count) {
   std::string text;
   for (int i = 0; i < count; ++i)
@@ -94,13 +84,7 @@ std::vector<std::string> mhd_seeds() {
 }
 
 std::vector<std::string> nifti_seeds() {
-  std::string second(544, '\0');
-  second = with(second, 0, bytes_of({540}, int32));
-  second = with(second, 4, std::string("n+2\0\r\n\x1a\n", 8));
-  second = with(second, 12, bytes_of({4, 16}, int16));
-  second = with(second, 16, bytes_of({3, 5, 4, 3, 1, 1, 1, 1}, int64));
-  second = with(second, 104, bytes_of({1, 1, 2, 3}, float64));
-  second = with(second, 168, bytes_of({544}, int64));
+  const std::string second = nifti2_header();
   std::string film = nifti_header(uint8, endian::little, 2, -1);
   film = with(film, 40, bytes_of({4, 5, 4, 3, 2}, int16));
   std::string sheared = nifti_header(int16, endian::little, 1, 0);
