@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <ranges>
 #include <string>
 
 #include "presets/error.h"
@@ -116,8 +115,15 @@ std::optional<GridPart> part_that_fits(const MemoryNeed& need, std::uint64_t mem
   const glm::u64vec3 box = need.part.end - need.part.first;
   const std::uint64_t longest = std::max({box.x, box.y, box.z, std::uint64_t(2)}) - 1;
   if (is_too_large(longest)) return std::nullopt;
-  return at_stride(need.part,
-                   *std::ranges::partition_point(std::views::iota(std::uint64_t(1), longest), is_too_large));
+  std::uint64_t low = 1, high = longest;  // by halves: a smaller stride takes more
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    if (is_too_large(middle))
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return at_stride(need.part, low);
 }
 
 void require_memory(std::string_view name, const MemoryNeed& need, std::uint64_t memory) {
