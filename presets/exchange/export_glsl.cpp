@@ -1,5 +1,5 @@
 // The TF as GLSL source, for a renderer of one's own.
-#include <fmt/core.h>
+#include <fmt/format.h>  // all of format_to: clang calls it otherwise than the library
 
 #include <cmath>
 #include <iterator>
