@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <thread>
 
@@ -24,24 +25,40 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-/// For how long a thread was ready to run without running, since it began.
+/// For how long each thread was ready to run without running, since it began, in seconds.
+using Waits = std::map<std::string, double>;
+
 double waited_s(const fs::path& thread) {
   double ran_ns = 0, waited_ns = 0;
   std::ifstream(thread / "schedstat") >> ran_ns >> waited_ns;
   return waited_ns * 1e-9;
 }
 
-/// For the main thread and, of the renderer's threads, which work side by side, the one that waited most.
-double waited_of_process_s(pid_t process) {
+/// Of the main thread and the renderer's.
+Waits waits_of(pid_t process) {
   const fs::path threads = fs::path("/proc") / std::to_string(process) / "task";
-  double renderer = 0;
+  Waits waits;
   std::error_code gone;
   for (fs::directory_iterator thread(threads, gone), end; !gone && thread != end; thread.increment(gone)) {
+    const std::string id = thread->path().filename();
     std::string name;
     std::ifstream(thread->path() / "comm") >> name;
-    if (name.starts_with("llvmpipe")) renderer = std::max(renderer, waited_s(thread->path()));
+    if (name.starts_with("llvmpipe") || id == std::to_string(process)) waits[id] = waited_s(thread->path());
   }
-  return waited_s(threads / std::to_string(process)) + renderer;
+  return waits;
+}
+
+/// Between two looks: the main thread's, and that of the renderer's thread that waited most, since they work
+/// side by side.
+double waited_between_s(const Waits& before, const Waits& after, pid_t process) {
+  double main = 0, renderer = 0;
+  for (const auto& [id, waited] : after) {
+    const auto earlier = before.find(id);
+    const double s = earlier == before.end() ? waited : waited - earlier->second;
+    double& longest = id == std::to_string(process) ? main : renderer;
+    longest = std::max(longest, s);
+  }
+  return main + renderer;
 }
 
 struct Asked {
@@ -96,14 +113,14 @@ int main(int count, char** words) {
   double longest = 0;
   for (long number = 1; is_there(process); ++number) {
     const auto begin = Clock::now();
-    const double waited_before = waited_of_process_s(process);
+    const Waits before = waits_of(process);
     ask(asked, number);
     while (true) {
       const bool answered = has_answered(asked, number);
       const double passed = Seconds(Clock::now() - begin).count();
-      const double waited = waited_of_process_s(process) - waited_before;
+      const double waited = waited_between_s(before, waits_of(process), process);
       if (!is_there(process)) return 0;
-      if (const double own = passed - std::max(0.0, waited); answered ? own > longest : own > limit) {
+      if (const double own = passed - waited; answered ? own > longest : own > limit) {
         longest = own;
         std::printf("%.2f s without an answer, and %.2f s without a processor\n", own, waited);
         std::fflush(stdout);

@@ -39,16 +39,25 @@ start() {
   "$tools/write_only_in" "$work" "$program" "builtin:sphere?n=32" --preset onion --log-layout "$layout" \
     >>"$work/stderr" 2>&1 &
   pid=$! born=$SECONDS
-  trap 'kill $pid $watch 2>/dev/null || true; rm -rf "$work"' EXIT
+  trap clean_up EXIT
   for _ in $(seq 600); do
     if has_widget view0; then break; fi
-    has_ended && { end_of_program; return; }
+    if has_ended; then end_of_program; return; fi
     sleep 0.1
   done
+  has_widget view0 || complain "the window did not open within a minute"
   window=$(xdotool search --pid "$pid" --name Crest | head -1)
   "$tools/answers" "$window" "$pid" $slowest_s >>"$work/answers" &
   watch=$!
   : >"$memory"
+}
+
+# What still writes there must have ended before its folder goes.
+clean_up() {
+  kill $watch 2>/dev/null || true
+  kill -9 "$pid" 2>/dev/null || true
+  wait 2>/dev/null || true
+  rm -rf "$work"
 }
 
 has_ended() { ! kill -0 "$pid" 2>/dev/null; }
