@@ -4,7 +4,6 @@
 
 #include <charconv>
 
-#include "app/options.h"
 #include "app/user_folders.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
@@ -36,6 +35,13 @@ std::vector<std::string> keys_of(const CommandRow& command) {
   for (const OptionRow& row : command.options)
     if (has_default(row)) keys.push_back(key_of(row));
   return keys;
+}
+
+/// What is wrong with a value; nothing where it is right.
+std::string why_not(const OptionRow& row, const std::string& value) {
+  for (const auto& check : row.checks)
+    if (const std::string why = check(value); !why.empty()) return why;
+  return {};
 }
 
 /// A value as the command line would give it.

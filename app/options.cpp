@@ -66,12 +66,6 @@ bool needs_no_config(int argc, char** argv) {
 
 }  // namespace
 
-std::string why_not(const OptionRow& row, const std::string& value) {
-  for (const auto& check : row.checks)
-    if (const std::string why = check(value); !why.empty()) return why;
-  return {};
-}
-
 Option& Option::check(const std::function<std::string(const std::string& value)>& why_not) {
   row_->checks.push_back(why_not);
   return option_->check(why_not), *this;

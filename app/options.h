@@ -110,7 +110,4 @@ class CommandLine {
 /// A word as a shell would be given it.
 std::string shell_word(const std::string& word);
 
-/// What is wrong with a value for this row; nothing where it is right.
-std::string why_not(const OptionRow& row, const std::string& value);
-
 }  // namespace crest

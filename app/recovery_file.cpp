@@ -11,18 +11,12 @@
 #include "app/sources.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
-#include "presets/json.h"
-#include "presets/json_text.h"
-#include "presets/preset_file.h"
 
 namespace crest {
 namespace {
 
 namespace fs = std::filesystem;
-using Seconds = std::chrono::seconds;
 
-constexpr std::string_view format = "crest-recovery";
-constexpr int version = 1;
 constexpr std::size_t largest = std::size_t(40) << 20;  // bytes: more than a preset may have, indented
 
 fs::path lock_of(fs::path file) { return file.replace_extension(".lock"); }
@@ -106,36 +100,13 @@ std::vector<RecoveryFile> RecoveryFile::left_behind(const fs::path& folder) {
 }
 
 void RecoveryFile::write(const KeptDocument& kept) const {
-  const Document& document = kept.document;
-  const auto time = std::chrono::duration_cast<Seconds>(kept.time.time_since_epoch()).count();
-  Json json = {{"format", format},
-               {"version", version},
-               {"time", time},
-               {"volume", absolute_source(document.volume_source)},
-               {"preset_path", absolute_source(document.preset_path.string())},
-               {"library_name", document.library_name}};
-  json["preset"] = parse_json(write_preset(document.preset));
-  // A name that is no UTF-8 must not cost the edit
-  const auto replace = Json::error_handler_t::replace;
-  write_file_atomically(path_, json.dump(1, ' ', false, replace) + "\n");
+  KeptDocument absolute = kept;  // the next program may begin elsewhere
+  absolute.document.volume_source = absolute_source(kept.document.volume_source);
+  absolute.document.preset_path = absolute_source(kept.document.preset_path.string());
+  write_file_atomically(path_, recovery_text(absolute));
 }
 
-KeptDocument RecoveryFile::read() const {
-  try {
-    const auto json = parse_json(read_file(path_, largest));
-    if (json.at("format") != format || json.at("version") != version)
-      throw Error("it is of another version of Crest");
-    KeptDocument kept;
-    kept.time = std::chrono::system_clock::time_point(Seconds(json.at("time").get<std::int64_t>()));
-    kept.document.volume_source = json.at("volume").get<std::string>();
-    kept.document.preset_path = json.at("preset_path").get<std::string>();
-    kept.document.library_name = json.at("library_name").get<std::string>();
-    kept.document.preset = parse_preset(json.at("preset").dump(), path_.string());
-    return kept;
-  } catch (const Json::exception& error) {
-    throw Error(fmt::format("{}: {}", path_.string(), error.what()));
-  }
-}
+KeptDocument RecoveryFile::read() const { return parse_recovery(read_file(path_, largest), path_.string()); }
 
 void RecoveryFile::remove() const {
   std::error_code ignored;

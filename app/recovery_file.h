@@ -1,12 +1,10 @@
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "ui/document.h"
+#include "app/recovery_text.h"
 
 namespace crest {
 
@@ -22,12 +20,6 @@ class FileLock {
  private:
   explicit FileLock(int fd) : fd_(fd) {}
   int fd_ = -1;
-};
-
-/// A document as it was at a time, while it had changes that were not saved.
-struct KeptDocument {
-  Document document;
-  std::chrono::system_clock::time_point time;  ///< in whole seconds
 };
 
 /// A file in which a program keeps its document while that has unsaved changes, so that they outlive the

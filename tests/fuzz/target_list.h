@@ -26,6 +26,12 @@ void read_builtin(std::string_view input);
 std::vector<std::string> builtin_seeds();
 void read_answer(std::string_view input);  ///< of the reader's program, one line
 std::vector<std::string> answer_seeds();
+void read_recovery(std::string_view input);
+std::vector<std::string> recovery_seeds();
+void read_settings_file(std::string_view input);
+std::vector<std::string> settings_seeds();
+void read_config(std::string_view input);
+std::vector<std::string> config_seeds();
 
 // Files. Detached headers have a file of voxels beside them.
 void read_nrrd(std::string_view input);
