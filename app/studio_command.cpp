@@ -8,6 +8,7 @@
 #include "app/compare.h"
 #include "app/file_watch.h"
 #include "app/frame_log.h"
+#include "app/idle_memory.h"
 #include "app/layout_file.h"
 #include "app/preset_source.h"
 #include "app/scene_options.h"
@@ -76,6 +77,7 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
   FrameLog log;
   LayoutFile layout(options.layout_file);
   FileWatch preset_watch;
+  IdleMemory memory;
   std::optional<Look> look;
   Clock::time_point last_input = Clock::now();
   int settling = settling_frames;
@@ -100,8 +102,11 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
       settling = settling_frames;
     }
     if (settling <= 0 && !studio.is_drawing() && !studio.is_loading() && !studio.has_news() &&
-        !studio.animates())
+        !studio.animates()) {
+      memory.rest(begin, last_input);
       continue;
+    }
+    memory.note_work();
     const bool interactive =
         window.is_mouse_down() || begin - last_input < std::chrono::duration<double>(rest_after_s);
 

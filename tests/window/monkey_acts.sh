@@ -213,7 +213,8 @@ go_home() {
   for i in "One view" New; do surely "$i" || return 1; done
   shows "start/Open volume..." || surely "Close volume" || return 1
   for i in $(seq 100); do
-    if is_idle && shows "start/Open volume..."; then sleep 1.5; return 0; fi
+    # It gives memory back after two seconds (app/idle_memory.cpp)
+    if is_idle && shows "start/Open volume..."; then sleep 4; return 0; fi
     has_ended && return 1
     sleep 0.1
   done
