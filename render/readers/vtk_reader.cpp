@@ -58,6 +58,7 @@ Volume read_vtk(const FileRequest& request) {
   header.endian = std::endian::big;
   header.data = {{request.path}, array.offset, file.is_text ? Encoding::decimal : Encoding::raw};
   header.data.first_line = array.line;
+  header.data.more_may_follow = true;
   header.spacing = file.spacing;
   header.origin = file.origin;
   constexpr std::uint64_t most = std::uint64_t(1) << 20;  // points on an axis whose product cannot overflow
