@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "presets/error.h"
 #include "render/readers/choose_array.h"
@@ -68,7 +69,11 @@ Volume read_vtk(const FileRequest& request) {
   }
   if (!file.unread.empty())
     add_note(header.note, fmt::format("what follows its arrays is not read: {}", file.unread));
-  return read_voxels(request, header, ",array");
+  if (array.is_of_255) header.scaling = {255, 0};
+  Volume volume = read_voxels(request, header, ",array");
+  if (array.is_of_255 && !request.query.contains("subtract"))
+    for (float& value : volume.values.floats()) value = std::round(value);  // which text has to six digits
+  return volume;
 }
 
 }  // namespace crest
