@@ -13,11 +13,11 @@
 namespace crest {
 
 bool HeaderLines::next(std::string_view& line) {
-  const std::size_t end = text_.find('\n', position_);
-  if (end == std::string_view::npos) return false;
+  if (position_ >= text_.size()) return false;
+  const std::size_t end = std::min(text_.find('\n', position_), text_.size());
   line = text_.substr(position_, end - position_);
   if (line.ends_with('\r')) line.remove_suffix(1);
-  position_ = end + 1;
+  position_ = std::min(end + 1, text_.size());
   return true;
 }
 

@@ -13,7 +13,7 @@ class HeaderLines {
   /// `head`: the file's first bytes.
   explicit HeaderLines(std::string_view head) : text_(head) {}
 
-  /// Takes the next line, without its end; false when no whole line is left.
+  /// Takes the next line, without its end, which the last one need not have; false when none is left.
   bool next(std::string_view& line);
   std::size_t position() const { return position_; }  ///< bytes taken
 

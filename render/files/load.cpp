@@ -93,6 +93,11 @@ Volume read_file_or_folder(const FileRequest& request) {
   if (const std::string how = how_to_convert(request.path); !how.empty() && !request.query.contains("size"))
     throw Error(fmt::format("{}: {}", name, how));
   if (fs::is_directory(request.path)) return read_folder(request);
+  if (request.path.filename() == "DICOMDIR" && is_dicom(request.path)) {
+    FileRequest folder = request;
+    folder.path = fs::absolute(request.path).parent_path();
+    return read_folder(folder);
+  }
   if (!fs::is_regular_file(request.path)) throw Error(fmt::format("{}: neither a file nor a folder", name));
   if (request.query.contains("size")) return read_raw(request);
   if (const Reader* reader = find_reader(request.path)) return reader->read(request);

@@ -99,6 +99,18 @@ void check_planes(const fs::path& file, const gdcm::DataSet& set) {
         fmt::format("{}: its planar configuration is {}, which may be 0 or 1", file.string(), planes));
 }
 
+/// GDCM would make up the frames that are missing. `bytes`: of pixels that are not compressed.
+void check_length(const fs::path& file, const DicomImage& image, std::size_t frames,
+                  std::optional<std::uint64_t> bytes) {
+  const bool halved = image.photometric.ends_with("_422") && image.samples == 3;  // two colours of three
+  const std::uint64_t samples = image.rows * image.columns * (halved ? 2 : image.samples) * frames;
+  const std::uint64_t promised = (samples * image.bits + 7) / 8;
+  if (bytes && *bytes < promised)
+    throw Error(fmt::format("{}: it promises {} frame{} of {}x{}, which are {} bytes of pixels, and has {}",
+                            file.string(), frames, frames == 1 ? "" : "s", image.columns, image.rows,
+                            promised, *bytes));
+}
+
 /// What holds for all of a file's frames.
 DicomImage common_of(const fs::path& file, const gdcm::DataSet& set) {
   check_planes(file, set);
@@ -163,7 +175,8 @@ std::vector<DicomImage> frames_of(const gdcm::DataSet& set, const DicomImage& co
 
 std::vector<DicomImage> read_dicom_images(const fs::path& file) {
   constexpr std::size_t most_frames = std::size_t(1) << 20;
-  if (!read_dicom_structure(file).has_image) return {};
+  const DicomStructure structure = read_dicom_structure(file);
+  if (!structure.has_image) return {};
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
   with_gdcm(file.string(), [&] { return reader.ReadUpToTag(pixel_data); });
@@ -171,6 +184,8 @@ std::vector<DicomImage> read_dicom_images(const fs::path& file) {
   DicomImage common = common_of(file, set);
   const double said = dicom_number(set, Tag(0x0028, 0x0008)).value_or(1);
   const auto count = said >= 1 && said <= double(most_frames) ? std::size_t(said) : 1;
+  check_length(file, common, count, structure.pixel_bytes);
+  common.is_real = structure.has_real_pixels;
   for (const auto& group : dicom_items(set, Tag(0x5200, 0x9229))) take_group(group, common);
   std::vector<DicomImage> images = frames_of(set, common, count);
   const auto groups = dicom_items(set, Tag(0x5200, 0x9230));

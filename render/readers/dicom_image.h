@@ -25,6 +25,7 @@ struct DicomImage {
   std::uint64_t columns = 0, rows = 0, samples = 1;
   std::uint64_t bits = 16;  ///< that a sample is stored in
   bool is_signed = false;
+  bool is_real = false;                                  ///< its pixels are floating-point numbers
   std::optional<glm::dvec3> position;                    ///< of the first pixel's centre, in mm
   std::optional<std::array<glm::dvec3, 2>> orientation;  ///< along rows (x) and along columns (y)
   std::optional<glm::dvec2> spacing;                     ///< in mm, x and y
@@ -53,5 +54,7 @@ struct DicomPixels {
 /// Stored values: nothing is inverted, scaled or coloured. Throws Error when they cannot be decoded, or are
 /// not `count` values.
 DicomPixels read_dicom_pixels(const std::filesystem::path& file, std::uint64_t count);
+/// The same of an image whose pixels are real, which GDCM does not take for one.
+DicomPixels read_dicom_reals(const std::filesystem::path& file, std::uint64_t count);
 
 }  // namespace crest

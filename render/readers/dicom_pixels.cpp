@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 #include <gdcmImageReader.h>
+#include <gdcmReader.h>
 
 #include <cstring>
 #include <optional>
@@ -99,6 +100,26 @@ DicomPixels read_dicom_pixels(const std::filesystem::path& file, std::uint64_t c
   keep_stored_bits(format, pixels);
   join_planes(image, size_of(*type), pixels);
   return pixels;
+}
+
+DicomPixels read_dicom_reals(const std::filesystem::path& file, std::uint64_t count) {
+  const std::string name = file.string();
+  gdcm::Reader reader;
+  reader.SetFileName(file.c_str());
+  with_gdcm(name, [&] { return reader.Read(); });
+  if (reader.GetFile().GetHeader().GetDataSetTransferSyntax() == gdcm::TransferSyntax::ExplicitVRBigEndian)
+    throw Error(fmt::format("{}: floating-point pixels in big-endian order are not read", name));
+  const gdcm::DataSet& set = reader.GetFile().GetDataSet();
+  for (const auto& [tag, type] : {std::pair(gdcm::Tag(0x7fe0, 0x0008), ScalarType::float32),
+                                  {gdcm::Tag(0x7fe0, 0x0009), ScalarType::float64}}) {
+    const gdcm::ByteValue* value =
+        set.FindDataElement(tag) ? set.GetDataElement(tag).GetByteValue() : nullptr;
+    if (!value || value->GetLength() != count * size_of(type)) continue;
+    DicomPixels pixels{type, std::vector<std::byte>(value->GetLength())};
+    std::memcpy(pixels.bytes.data(), value->GetPointer(), pixels.bytes.size());
+    return pixels;
+  }
+  throw Error(fmt::format("{}: it does not hold the {} floating-point pixels that it promises", name, count));
 }
 
 }  // namespace crest

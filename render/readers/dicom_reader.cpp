@@ -106,12 +106,25 @@ void note_values(const Images& slices, std::string& note) {
   if (first.has_value_table) add_note(note, "a table for its values (Modality LUT) is not applied");
 }
 
+/// Decoded JPEG 2000 (YBR_RCT, YBR_ICT) is RGB.
+Names sample_names(const DicomImage& image) {
+  const std::string& photometric = image.photometric;
+  if (photometric == "RGB" || photometric == "YBR_RCT" || photometric == "YBR_ICT")
+    return colour_names(image.samples);
+  if (photometric.starts_with("YBR") && image.samples == 3)
+    return {"luma", "blue less luma", "red less luma"};
+  return {};
+}
+
 /// The files' frames; a file is decoded when another one was asked for before.
 class Pixels {
  public:
   /// One slice's samples, `samples` of them, of a file with `frames`.
   std::span<const std::byte> of(const DicomImage& slice, std::uint64_t frames, std::size_t samples) {
-    if (slice.file != file_) pixels_ = read_dicom_pixels(slice.file, samples * frames);
+    if (slice.file != file_) {
+      pixels_ = slice.is_real ? read_dicom_reals(slice.file, samples * frames)
+                              : read_dicom_pixels(slice.file, samples * frames);
+    }
     file_ = slice.file;
     const std::size_t bytes = samples * size_of(pixels_.type);
     return std::span(pixels_.bytes).subspan(slice.frame * bytes, bytes);
@@ -127,7 +140,7 @@ class Pixels {
 bool are_stored_alike(const Images& slices) {
   return std::ranges::all_of(slices, [&](const DicomImage& slice) {
     return slice.scaling == slices[0].scaling && slice.bits == slices[0].bits &&
-           slice.is_signed == slices[0].is_signed;
+           slice.is_signed == slices[0].is_signed && slice.is_real == slices[0].is_real;
   });
 }
 
@@ -149,9 +162,8 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   const auto frame = std::size_t(select_frame(request, stack.frames.size(), volume, stack.frame_names));
   const Images& slices = stack.frames[frame];
   const DicomImage& first = slices.front();
-  const auto component =
-      std::size_t(select_one(request, ChoiceKind::component, first.samples, volume.note,
-                             first.photometric == "RGB" ? colour_names(first.samples) : Names()));
+  const auto component = std::size_t(
+      select_one(request, ChoiceKind::component, first.samples, volume.note, sample_names(first)));
   add_note(volume.note, note);
   const glm::u64vec3 dims(first.columns, first.rows, slices.size());
   if (dims.z < 2) throw Error(fmt::format("{}: one DICOM slice: open the folder with its series", name));

@@ -141,7 +141,10 @@ class Walker {
 Coding coding_of(const std::string& name, std::string syntax) {
   while (!syntax.empty() && (syntax.back() == '\0' || syntax.back() == ' ')) syntax.pop_back();
   if (syntax == "1.2.840.10008.1.2.1.99") {
-    throw Error(fmt::format("{}: DICOM with a deflated data set is not read", name));
+    throw Error(
+        fmt::format("{}: DICOM with a deflated data set is not read: dcmconv of DCMTK writes "
+                    "another",
+                    name));
   }
   const bool implicit = syntax == "1.2.840.10008.1.2" || syntax == "1.2.840.113619.5.2";
   return {!implicit, syntax == "1.2.840.10008.1.2.2"};
@@ -195,6 +198,7 @@ DicomStructure read_dicom_structure(const fs::path& path) {
     }
     if (element.tag == pixels || element.tag == float_pixels || element.tag == double_pixels) {
       has_pixels = true;
+      structure.has_real_pixels = element.tag != pixels;
       if (element.length != undefined_length) structure.pixel_bytes = element.length;
     }
     element.length == undefined_length ? walker.skip_sequence(coding) : walker.skip(element.length);

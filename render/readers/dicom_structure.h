@@ -10,6 +10,7 @@ namespace crest {
 /// and fills in the pixels of others.
 struct DicomStructure {
   bool has_image = false;                    ///< rows, and pixels
+  bool has_real_pixels = false;              ///< Float Pixel Data, or Double Float Pixel Data
   std::optional<std::uint64_t> pixel_bytes;  ///< of uncompressed pixels
 };
 

@@ -140,6 +140,9 @@ std::vector<double> numbers_of(const std::string& name, const MetaText& text,
 
 void take_layout(const std::string& name, const MetaText& text, std::size_t axes, VoxelHeader& header) {
   const auto sizes = numbers_of(name, text, {"DimSize"}, axes);
+  if (sizes.size() > axes)
+    throw Error(fmt::format("{}: DimSize = {} has {} numbers, and NDims is {}", name,
+                            one_line(text.fields.at("DimSize")), sizes.size(), axes));
   std::vector<std::uint64_t> dims;
   for (std::size_t a = 0; a < axes; ++a) {
     constexpr double most = 0x1p53;

@@ -22,11 +22,15 @@ struct Mode {
   std::uint64_t components = 1;
 };
 
-/// Mode 0 is signed since MRC2014; IMOD says which in a flag of its own.
+/// Mode 0 is signed since MRC2014; IMOD says which in a flag of its own. Many a program writes what the
+/// version does not say, and the range of its values (DMIN, DMAX) tells.
 bool bytes_are_signed(const BinaryFields& f) {
   constexpr std::int32_t imod = 1146047817, mrc2014 = 20140;
-  return f.at<std::int32_t>(152) == imod ? (f.at<std::int32_t>(156) & 1) != 0
-                                         : f.at<std::int32_t>(108) >= mrc2014;
+  if (f.at<std::int32_t>(152) == imod) return (f.at<std::int32_t>(156) & 1) != 0;
+  const float least = f.at<float>(76), greatest = f.at<float>(80);
+  if (least < 0 && greatest <= 127 && least >= -128 && greatest >= least) return true;
+  if (least >= 0 && greatest > 127 && greatest <= 255) return false;
+  return f.at<std::int32_t>(108) >= mrc2014;
 }
 
 std::optional<Mode> mode_of(const BinaryFields& f) {
@@ -83,7 +87,8 @@ BinaryFields in_byte_order(const std::string& name, std::string_view head, std::
   const bool big = stamp == 0x11, little = stamp == 0x44;
   const BinaryFields said{head, big == (std::endian::native == std::endian::little)};
   const BinaryFields other{head, !said.swapped};
-  if ((big || little) && has_sizes(said) && extended_bytes(said) >= 0) return said;
+  const bool only_other_fits = !fits(said, file_bytes) && fits(other, file_bytes);
+  if ((big || little) && has_sizes(said) && extended_bytes(said) >= 0 && !only_other_fits) return said;
   const auto text = [](const BinaryFields& f) {
     return f.swapped == (std::endian::native == std::endian::little) ? "big-endian" : "little-endian";
   };
@@ -179,6 +184,8 @@ VoxelHeader read_mrc_header(const fs::path& path) {
   }
   const glm::ivec3 order = axis_order(name, f);
   header.type = mode->type;
+  if (size_of(mode->type) == 1 && mode->components == 1)
+    add_note(header.note, fmt::format("bytes are taken as {}", name_of(mode->type)));
   header.endian =
       f.swapped == (std::endian::native == std::endian::little) ? std::endian::big : std::endian::little;
   header.data = {{path}, header_size + std::uint64_t(extended_bytes(f)), Encoding::raw};

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 /// Both versions' fields, in one form.
 struct Nifti {
-  bool swapped = false, is_analyze = false, is_pair = false;
+  bool swapped = false, is_second = false, is_analyze = false, is_pair = false;
   std::int64_t dim[8] = {};
   int datatype = 0, qform = 0, sform = 0, units = 0;
   double pixdim[8] = {};
@@ -54,6 +54,7 @@ Nifti parse_first(const BinaryFields& f) {
 Nifti parse_second(const BinaryFields& f) {
   Nifti n;
   n.swapped = f.swapped;
+  n.is_second = true;
   n.is_pair = f.bytes.substr(4, 3) == "ni2";
   for (std::size_t i = 0; i < 8; ++i) n.dim[i] = f.at<std::int64_t>(16 + 8 * i);
   for (std::size_t i = 0; i < 8; ++i) n.pixdim[i] = f.at<double>(104 + 8 * i);
@@ -190,8 +191,12 @@ void take_scaling(const Nifti& n, VoxelHeader& header) {
       add_note(header.note, fmt::format("SPM's scale factor {} is not applied", n.slope));
     return;
   }
-  const bool scales = n.slope != 0;  // 0 says that there is no scaling at all
-  if (scales && std::isfinite(n.slope) && std::isfinite(n.intercept)) header.scaling = {n.slope, n.intercept};
+  if (n.slope == 0 || (std::isnan(n.slope) && std::isnan(n.intercept))) return;  // there is no scaling at all
+  if (std::isfinite(n.slope) && std::isfinite(n.intercept))
+    header.scaling = {n.slope, n.intercept};
+  else
+    add_note(header.note, fmt::format("its slope {} and intercept {} are no numbers, and not applied",
+                                      n.slope, n.intercept));
 }
 
 bool is_compressed(const fs::path& path) { return read_head(path, 2) == "\x1f\x8b"; }
@@ -235,8 +240,12 @@ VoxelHeader read_nifti_header(const fs::path& path) {
   header.component_names = colour_names(stored.components);
   const fs::path image = n.is_pair ? other_of_pair(head_file, ".img") : head_file;
   header.data = {{image}, 0, is_compressed(image) ? Encoding::deflate : Encoding::raw};
-  const std::size_t shortest = n.is_pair ? 0 : first_size;
-  header.data.skip = std::max(std::uint64_t(n.offset), std::uint64_t(shortest));
+  header.data.skip = std::uint64_t(n.offset);
+  if (!n.is_pair) {
+    constexpr std::size_t extension_flag = 4;
+    const std::size_t unsaid = (n.is_second ? second_size : first_size) + extension_flag;
+    header.data.skip = n.offset == 0 ? unsaid : std::max(header.data.skip, std::uint64_t(first_size));
+  }
   take_geometry(n, header);
   if (stored.components == 1) take_scaling(n, header);
   return header;

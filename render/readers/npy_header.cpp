@@ -81,8 +81,10 @@ std::vector<std::uint64_t> shape_of(const std::string& name, const std::string& 
   std::vector<std::uint64_t> shape;
   std::uint64_t all = 1;
   for (const std::string_view part : split(std::string_view(text).substr(1, text.size() - 2), ',')) {
-    if (trim(part).empty()) continue;
-    const auto size = to_integer(trim(part));
+    std::string_view digits = trim(part);
+    if (digits.empty()) continue;
+    if (digits.ends_with('L')) digits.remove_suffix(1);  // of Python 2
+    const auto size = to_integer(digits);
     const auto product = size && *size > 0 ? checked_product(all, std::uint64_t(*size)) : std::nullopt;
     if (!product)
       throw Error(fmt::format("{}: its shape {} is none that can be counted", name, one_line(text)));

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -24,7 +25,7 @@ enum class Role { unknown, space, component, frame };
 struct Axis {
   std::uint64_t size = 0;
   double spacing = nan, min = nan, max = nan;
-  bool is_cell = false;
+  bool is_cell = false, says_spacing = false;
   std::string kind = {};
   bool has_direction = false;       ///< a vector, not "none"
   std::vector<double> vector = {};  ///< from point to point, in space
@@ -89,8 +90,10 @@ void take_directions(const std::string& name, const NrrdFields& fields, std::vec
                             vectors.size(), axes.size()));
   }
   for (std::size_t a = 0; a < axes.size(); ++a) {
-    axes[a].has_direction = vectors[a].has_value();
-    if (vectors[a]) axes[a].vector = *vectors[a];
+    // Old files have (nan,nan,nan) for "none"
+    if (!vectors[a] || std::ranges::all_of(*vectors[a], [](double v) { return std::isnan(v); })) continue;
+    axes[a].has_direction = true;
+    axes[a].vector = *vectors[a];
   }
 }
 
@@ -112,11 +115,12 @@ std::vector<Axis> axes_of(const std::string& name, const NrrdFields& fields) {
     all = *product;
   }
   take_numbers(name, fields, "spacings", axes, &Axis::spacing);
+  for (Axis& axis : axes) axis.says_spacing = find(fields, "spacings") != nullptr;
   take_numbers(name, fields, "axis mins", axes, &Axis::min);
   take_numbers(name, fields, "axis maxs", axes, &Axis::max);
   const auto kinds = words_of(name, fields, "kinds", axes.size());
   for (std::size_t a = 0; a < kinds.size(); ++a) axes[a].kind = lower(kinds[a]);
-  auto centers = words_of(name, fields, find(fields, "centers") ? "centers" : "centerings", axes.size());
+  const auto centers = words_of(name, fields, "centers", axes.size());
   for (std::size_t a = 0; a < centers.size(); ++a) axes[a].is_cell = lower(centers[a]) == "cell";
   take_directions(name, fields, axes);
   return axes;
@@ -215,10 +219,10 @@ void take_axis_geometry(const Axis& axis, int column, glm::dvec3 flips, VoxelHea
     return;
   }
   const double points = double(axis.size) - (axis.is_cell ? 0 : 1);
-  if (!std::isnan(axis.spacing))
-    header.spacing[column] = axis.spacing;
-  else if (!std::isnan(axis.max - axis.min))
+  if (!std::isnan(axis.max - axis.min) && std::isnan(axis.spacing))
     header.spacing[column] = (axis.max - axis.min) / points;
+  else if (axis.says_spacing)
+    header.spacing[column] = axis.spacing;  // NaN is one that is not known
   if (!std::isnan(axis.min))
     header.origin[column] = axis.min + (axis.is_cell ? 0.5 * header.spacing[column] : 0);
 }

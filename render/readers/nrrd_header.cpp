@@ -21,13 +21,35 @@ struct NrrdText {
   bool attached = false;
 };
 
+/// A field's name, of which the format has some in one word too.
+std::string key_of(std::string_view text) {
+  static const std::map<std::string_view, std::string_view> spellings = {
+      {"datafile", "data file"}, {"lineskip", "line skip"}, {"byteskip", "byte skip"},
+      {"axismins", "axis mins"}, {"axismaxs", "axis maxs"}, {"centerings", "centers"}};
+  std::string key = lower(trim(text));
+  std::erase(key, '\t');
+  const auto found = spellings.find(key);
+  return found == spellings.end() ? key : std::string(found->second);
+}
+
+/// "LIST", and the number of a file's axes behind it.
+bool is_list_of_files(const std::string& value) {
+  const auto parts = words(value);
+  return !parts.empty() && parts[0] == "LIST";
+}
+
 NrrdText parse(const std::string& name, std::string_view head) {
   if (!head.starts_with("NRRD000"))
     throw Error(fmt::format("{}: not an NRRD file: it does not begin with NRRD000", name));
   NrrdText text;
   HeaderLines lines(head);
+  bool is_list = false;  // of files, to the header's end
   for (std::string_view line; lines.next(line);) {
     ++text.lines;
+    if (is_list) {
+      if (!trim(line).empty()) text.file_list.emplace_back(line);
+      continue;
+    }
     if (line.empty()) {
       text.attached = !text.fields.contains("data file");
       break;
@@ -35,13 +57,10 @@ NrrdText parse(const std::string& name, std::string_view head) {
     if (line.starts_with('#')) continue;
     const std::size_t colon = line.find(':');
     if (colon != std::string_view::npos && line.substr(colon).starts_with(": ")) {
-      std::string key = lower(trim(line.substr(0, colon)));
-      if (key == "datafile") key = "data file";
-      std::erase(key, '\t');
-      if (!text.fields.emplace(key, trim(line.substr(colon + 1))).second)
-        throw Error(fmt::format("{}: the NRRD header has \"{}\" twice", name, key));
-    } else if (text.fields.contains("data file") && colon == std::string_view::npos) {
-      text.file_list.emplace_back(line);
+      const std::string key = key_of(line.substr(0, colon));
+      const auto [field, is_new] = text.fields.emplace(key, trim(line.substr(colon + 1)));
+      if (!is_new) throw Error(fmt::format("{}: the NRRD header has \"{}\" twice", name, key));
+      is_list = key == "data file" && is_list_of_files(field->second);
     }
   }
   text.end = lines.position();
@@ -115,8 +134,8 @@ std::endian endian_of(const std::string& name, const NrrdText& text, ScalarType 
 /// A header has at most 16 axes, with short words for each.
 void require_few_words(const std::string& name, const NrrdText& text) {
   constexpr std::size_t most_axes = 16, longest_word = 128, longest_labels = 4096;
-  for (const char* key : {"sizes", "kinds", "spacings", "thicknesses", "centers", "centerings", "axis mins",
-                          "axismins", "axis maxs", "axismaxs", "space directions", "space origin"}) {
+  for (const char* key : {"sizes", "kinds", "spacings", "thicknesses", "centers", "axis mins", "axis maxs",
+                          "space directions", "space origin"}) {
     const auto found = text.fields.find(key);
     if (found == text.fields.end()) continue;
     const std::string& value = found->second;
@@ -148,7 +167,7 @@ std::vector<fs::path> voxel_files(const std::string& name, const fs::path& folde
   const std::string& value = text.fields.at("data file");
   const auto parts = words(value);
   std::vector<fs::path> files;
-  if (!parts.empty() && parts[0] == "LIST") {
+  if (is_list_of_files(value)) {
     for (const std::string& line : text.file_list) files.push_back(folder / line);
   } else if (value.find('%') != std::string::npos) {
     files = files_of_pattern(name, folder, parts);
@@ -213,10 +232,8 @@ VoxelHeader read_nrrd_header(const fs::path& path) {
   } else {
     header.data.files = voxel_files(name, path.parent_path(), text);
   }
-  std::int64_t line_skip = skip_of(name, text, "line skip", 0);
-  if (!text.fields.contains("line skip")) line_skip = skip_of(name, text, "lineskip", 0);
-  std::int64_t byte_skip = skip_of(name, text, "byte skip", -1);
-  if (!text.fields.contains("byte skip")) byte_skip = skip_of(name, text, "byteskip", -1);
+  const std::int64_t line_skip = skip_of(name, text, "line skip", 0);
+  const std::int64_t byte_skip = skip_of(name, text, "byte skip", -1);
   if (line_skip > 0 && header.data.files.size() > 1)
     throw Error(fmt::format("{}: line skip is read with one data file only", name));
   if (header.data.files.size() == 1) {

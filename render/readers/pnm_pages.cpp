@@ -33,6 +33,7 @@ class PnmFile : public PageFile {
                                                : format_.width * format_.height;
     if (held < promised)
       fail(fmt::format("its header promises {} bytes of pixels, and it has {}", promised, held));
+    if (kind_ > 3) refuse_another(stream, promised);
   }
   std::size_t pages() override { return 1; }
   PageFormat format(std::size_t) override { return format_; }
@@ -53,6 +54,12 @@ class PnmFile : public PageFile {
   bool is_bitmap() const { return kind_ % 3 == 1; }
   [[noreturn]] void fail(const std::string& what) const {
     throw Error(fmt::format("{}: not an image that can be read: {}", file_.string(), what));
+  }
+  /// Other programs write several images into a file.
+  void refuse_another(std::istream& stream, std::uint64_t promised) const {
+    stream.seekg(std::streamoff(data_ + promised));
+    if ((stream >> std::ws).get() == 'P' && std::isdigit(stream.peek()))
+      fail("it holds several images, and one a file is read");
   }
   /// The header's next number, behind comments; takes the one blank after it too.
   std::uint64_t number(std::istream& stream, std::uint64_t most) const {

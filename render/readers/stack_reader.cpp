@@ -65,6 +65,7 @@ struct Stack {
   std::vector<Page> pages;
   std::size_t channel = 0;
   std::optional<glm::dvec3> spacing = {};
+  LinearMap scaling = {};
   std::string note = {};
   int frames = 1, frame = 0;  ///< as the volume's
 };
@@ -87,7 +88,12 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
   add_note(volume.note, first.note);
   if (!spacing_known)
     add_note(volume.note, "its spacing is not known, and taken as 1: ?spacing=x,y,z says it");
-  const LinearMap map = subtracted(request, {}, volume.note);
+  LinearMap scaling;
+  if (is_integer(first.type) && size_of(first.type) <= 2) scaling = stack.scaling;
+  if (scaling != LinearMap())
+    add_note(volume.note, fmt::format("values are {} times the stored ones plus {}, by ImageJ's calibration",
+                                      scaling.slope, scaling.intercept));
+  const LinearMap map = subtracted(request, scaling, volume.note);
   VoxelStore store(first.type, part.point_count(), map);
   std::vector<std::byte> bytes(first.bytes());
   std::string rounding;
@@ -138,6 +144,7 @@ Volume read_image_pages(const FileRequest& request) {
   stack.frames = int(order.frames);  // of which each is a page at least
   stack.frame = int(frame);
   stack.spacing = order.spacing;
+  stack.scaling = order.scaling;
   add_note(stack.note, order.note);
   return read_stack(request, stack);
 }
@@ -154,13 +161,16 @@ Volume read_image_folder(const FileRequest& request) {
   std::size_t several = 0;
   for (const std::string& file : files) {
     const std::size_t count = open_pages(file)->pages();
-    several += count > 1;
-    if (count > 1) {
-      const PlaneOrder order = order_planes(file, describe_tiff(file), count);
-      if (order.components * order.frames > 1)
-        throw Error(fmt::format("{}: it holds channels or frames: open it alone, not its folder", file));
+    if (count == 1) {
+      stack.pages.push_back({file, 0});
+      continue;
     }
-    for (std::size_t page = 0; page < count; ++page) stack.pages.push_back({file, page});
+    const PlaneOrder order = order_planes(file, describe_tiff(file), count);
+    if (order.components * order.frames > 1)
+      throw Error(fmt::format("{}: it holds channels or frames: open it alone, not its folder", file));
+    several += order.pages.size() > 1;
+    for (const std::size_t page : order.pages) stack.pages.push_back({file, page});
+    stack.note = order.note;
   }
   stack.channel = channel_of(request, open_pages(files.front())->format(0), stack.note);
   if (several > 0)

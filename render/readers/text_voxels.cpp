@@ -136,7 +136,8 @@ void NumberReader::take_as(std::uint64_t numbers, std::byte* out) {
     word = without_commas(word);
     if (word.empty()) continue;
     T value{};
-    const Parsed parsed = parse(word, value);
+    const bool in_pieces = word.size() == WordStream::longest_word;
+    const Parsed parsed = in_pieces ? Parsed::no_number : parse(word, value);
     const auto place = [&] {
       return fmt::format("\"{}\" at voxel {} (line {})", shown(word), done_ + taken_, words_.line());
     };

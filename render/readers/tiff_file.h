@@ -6,12 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "render/volume/voxels.h"
+
 namespace crest {
 
-/// What a TIFF file's first page tells of all of them.
+/// What a TIFF file tells of its pages, in the first one.
 struct TiffDescription {
   std::string text;  ///< ImageDescription
   double pixels_per_unit_x = 0, pixels_per_unit_y = 0;
+  std::vector<std::size_t>
+      whole_pages;  ///< neither smaller copies of others nor masks; none where that is unclear
 };
 TiffDescription describe_tiff(const std::filesystem::path& file);
 
@@ -20,10 +24,11 @@ struct PlaneOrder {
   std::size_t components = 1, slices = 1, frames = 1;
   std::vector<std::size_t> pages;  ///< [(frame * components + component) * slices + slice]
   std::optional<glm::dvec3> spacing;
+  LinearMap scaling;  ///< from the stored values, where those are integers of 8 and 16 bits
   std::string note;
 };
-/// By the description of ImageJ or OME; without one all pages are slices. Throws Error, which begins with
-/// `name`, for a description that the `pages` contradict.
+/// By the description of ImageJ, OME or tifffile; without one all whole pages are slices. Throws Error, which
+/// begins with `name`, for a description that the `pages` contradict.
 PlaneOrder order_planes(const std::string& name, const TiffDescription& description, std::size_t pages);
 
 }  // namespace crest

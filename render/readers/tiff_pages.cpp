@@ -128,6 +128,7 @@ class TiffFile : public PageFile {
       format.note = "0 is shown white by other programs (MINISWHITE); values are kept";
     if (page.photometric == PHOTOMETRIC_PALETTE) format.note = "values are numbers of colours in its palette";
     constexpr std::uint64_t longest = std::uint64_t(1) << 24, greatest_inflation = std::uint64_t(1) << 16;
+    if (field(tiff_.get(), TIFFTAG_IMAGEDEPTH, 1u) > 1) fail(number, "a page with a depth is not read");
     if (format.width == 0 || format.height == 0 || format.channels == 0) fail(number, "it has no pixels");
     if (format.width > longest || format.height > longest || format.channels > 1024 ||
         format.bytes() / greatest_inflation > bytes_)
@@ -234,6 +235,13 @@ TiffDescription describe_tiff(const fs::path& file) {
   float x = 0, y = 0;
   if (TIFFGetField(tiff.get(), TIFFTAG_XRESOLUTION, &x) == 1) description.pixels_per_unit_x = double(x);
   if (TIFFGetField(tiff.get(), TIFFTAG_YRESOLUTION, &y) == 1) description.pixels_per_unit_y = double(y);
+  std::size_t page = 0;
+  do {
+    const auto kind = field(tiff.get(), TIFFTAG_SUBFILETYPE, 0u);
+    if ((kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) == 0) description.whole_pages.push_back(page);
+    ++page;
+  } while (TIFFReadDirectory(tiff.get()) == 1);
+  if (page != TIFFNumberOfDirectories(tiff.get())) description.whole_pages.clear();  // one is damaged
   return description;
 }
 

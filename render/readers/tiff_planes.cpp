@@ -30,8 +30,25 @@ void take_only_axis_as_slices(PlaneOrder& order, std::string_view components, st
   order.components = order.frames = 1;
 }
 
+using Fields = std::map<std::string, std::string, std::less<>>;
+
+/// ImageJ's values are a function of the stored ones, "cf": signed ones are kept so, as c0=-32768 and c1=1.
+void take_calibration(const Fields& fields, PlaneOrder& order) {
+  constexpr std::int64_t straight_line = 0, none = 20;
+  const auto number = [&](const char* key) {
+    const auto found = fields.find(key);
+    return found == fields.end() ? std::nullopt : to_number(found->second);
+  };
+  const auto function = number("cf"), intercept = number("c0"), slope = number("c1");
+  if (!function || *function == none) return;
+  if (*function == straight_line && intercept && slope)
+    order.scaling = {*slope, *intercept};
+  else
+    add_note(order.note, "ImageJ's calibration of its values is not applied: it is no straight line");
+}
+
 PlaneOrder order_imagej(const std::string& name, const TiffDescription& description, std::size_t pages) {
-  std::map<std::string, std::string, std::less<>> fields;
+  Fields fields;
   const std::string text = description.text + "\n";
   HeaderLines lines(text);
   std::string_view line;
@@ -70,6 +87,7 @@ PlaneOrder order_imagej(const std::string& name, const TiffDescription& descript
     order.spacing = {x > 0 && has_unit ? 1 / x : 1, y > 0 && has_unit ? 1 / y : 1, z ? std::abs(*z) : 1};
     if (has_unit) add_note(order.note, fmt::format("lengths in {}", one_line(fields["unit"])));
   }
+  take_calibration(fields, order);
   take_only_axis_as_slices(order, "channels", "frames");
   return order;
 }
@@ -129,10 +147,31 @@ void take_tiff_data(const std::string& name, pugi::xml_node pixels, const OmeSiz
                     name, planes));
 }
 
-double in_micrometres(double length, const std::string& unit) {
-  if (unit == "nm") return length * 1e-3;
-  if (unit == "mm") return length * 1e3;
-  return length;
+/// How many micrometres a unit of OME's is; nothing for "pixel" and "reference frame", which are no lengths,
+/// and for others that no microscope has.
+std::optional<double> micrometres_of(const std::string& unit) {
+  static const std::map<std::string_view, double> units = {
+      {"µm", 1},   {"\u03bcm", 1}, {"um", 1},   {"nm", 1e-3}, {"pm", 1e-6},
+      {"Å", 1e-4}, {"mm", 1e3},    {"cm", 1e4}, {"m", 1e6},   {"in", 25400}};
+  const auto found = units.find(unit);
+  return found == units.end() ? std::nullopt : std::optional(found->second);
+}
+
+void take_ome_spacing(pugi::xml_node pixels, PlaneOrder& order) {
+  glm::dvec3 spacing;
+  std::string others;
+  for (const auto& [axis, key] :
+       {std::pair(0, "PhysicalSizeX"), {1, "PhysicalSizeY"}, {2, "PhysicalSizeZ"}}) {
+    const std::string unit = pixels.attribute(fmt::format("{}Unit", key).c_str()).as_string("µm");
+    const auto micrometres = micrometres_of(unit);
+    spacing[axis] = pixels.attribute(key).as_double(0) * micrometres.value_or(1);
+    if (!micrometres && others.find(unit) == std::string::npos)
+      others += fmt::format("{}\"{}\"", others.empty() ? "" : " and ", one_line(unit.substr(0, 40)));
+  }
+  if (!(spacing.x > 0 && spacing.y > 0)) return;
+  order.spacing = {spacing.x, spacing.y, spacing.z > 0 ? spacing.z : 1};
+  add_note(order.note, others.empty() ? "lengths in micrometres" : fmt::format("lengths in {}", others));
+  if (!(spacing.z > 0)) add_note(order.note, "the slices' distance is not known, and taken as 1");
 }
 
 PlaneOrder order_ome(const std::string& name, const std::string& text, std::size_t pages) {
@@ -159,18 +198,49 @@ PlaneOrder order_ome(const std::string& name, const std::string& text, std::size
                             planes, pages));
   order.pages.resize(planes);
   take_tiff_data(name, pixels, sizes, pages, order);
-  const auto length = [&](const char* axis) {
-    const std::string key = fmt::format("PhysicalSize{}", axis);
-    const double value = pixels.attribute(key.c_str()).as_double(0);
-    return in_micrometres(value, pixels.attribute((key + "Unit").c_str()).as_string("µm"));
-  };
-  const glm::dvec3 spacing(length("X"), length("Y"), length("Z"));
-  if (spacing.x > 0 && spacing.y > 0) {
-    order.spacing = {spacing.x, spacing.y, spacing.z > 0 ? spacing.z : 1};
-    add_note(order.note, "lengths in micrometres");
-    if (!(spacing.z > 0)) add_note(order.note, "the slices' distance is not known, and taken as 1");
-  }
+  take_ome_spacing(pixels, order);
+  if (const auto images = document.child("OME").children("Image"); std::next(images.begin()) != images.end())
+    add_note(order.note,
+             fmt::format("the first of its {} images", std::distance(images.begin(), images.end())));
   take_only_axis_as_slices(order, "channels", "frames");
+  return order;
+}
+
+/// Each page is a slice, but for smaller copies of others, and masks.
+PlaneOrder order_pages(const TiffDescription& description, std::size_t pages) {
+  PlaneOrder order;
+  order.pages = description.whole_pages;
+  if (order.pages.empty()) {
+    order.pages.resize(pages);
+    std::iota(order.pages.begin(), order.pages.end(), std::size_t(0));
+  }
+  order.slices = order.pages.size();
+  if (const std::size_t others = pages - order.slices; others > 0)
+    add_note(order.note,
+             fmt::format("{} pages left out, which are smaller copies of others or masks", others));
+  return order;
+}
+
+/// What Python's tifffile writes of an array.
+constexpr std::string_view shaped_mark = "{\"shape\": [";
+
+/// Of [..., z, y, x] all axes before z are frames; where one is said to be channels, it is components.
+PlaneOrder order_shaped(const std::string& text, std::size_t pages) {
+  const std::string_view list = std::string_view(text).substr(shaped_mark.size());
+  std::vector<std::size_t> longer;  // than 1, of the axes whose product is the pages
+  std::size_t all = 1;
+  for (const std::string_view part : split(list.substr(0, list.find(']')), ',')) {
+    const auto size = to_integer(trim(part)).value_or(0);
+    if (all == pages || size < 1 || std::size_t(size) > pages / all) break;
+    all *= std::size_t(size);
+    if (size > 1) longer.push_back(std::size_t(size));
+  }
+  PlaneOrder order = order_pages({}, pages);
+  if (all != pages || longer.size() < 2) return order;
+  order.slices = longer.back();
+  const bool channels = text.find("\"axes\": \"C") != std::string::npos && longer.size() == 2;
+  (channels ? order.components : order.frames) = pages / order.slices;
+  add_note(order.note, fmt::format("its axes are taken as {}, z, y, x", channels ? "channels" : "frames"));
   return order;
 }
 
@@ -179,11 +249,8 @@ PlaneOrder order_ome(const std::string& name, const std::string& text, std::size
 PlaneOrder order_planes(const std::string& name, const TiffDescription& description, std::size_t pages) {
   if (description.text.starts_with("ImageJ=")) return order_imagej(name, description, pages);
   if (description.text.find("<OME") != std::string::npos) return order_ome(name, description.text, pages);
-  PlaneOrder order;
-  order.slices = pages;
-  order.pages.resize(pages);
-  std::iota(order.pages.begin(), order.pages.end(), std::size_t(0));
-  return order;
+  if (description.text.starts_with(shaped_mark)) return order_shaped(description.text, pages);
+  return order_pages(description, pages);
 }
 
 }  // namespace crest

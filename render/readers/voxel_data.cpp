@@ -24,8 +24,8 @@ void throw_short(const std::string& name, const VoxelData& data, std::uint64_t p
                  std::string_view unit) {
   const std::string where = data.files.size() == 1 ? data.files[0].filename().string()
                                                    : fmt::format("its {} files", data.files.size());
-  throw Error(fmt::format("{}: the header promises {} {} of voxels, and {} has {}", name, promised, unit,
-                          where, held));
+  throw Error(fmt::format("{}: the header promises {} {} of voxels, and {} {} {}", name, promised, unit,
+                          where, data.files.size() == 1 ? "has" : "have", held));
 }
 
 std::uint64_t share_of(const std::string& name, const VoxelData& data, std::uint64_t values) {
@@ -49,8 +49,14 @@ void require_room(const std::string& name, const VoxelData& data, std::uint64_t 
   switch (data.encoding) {
     case Encoding::raw:
       for (const fs::path& path : data.files) {
-        if (bytes_from(name, path, data.at_file_end ? 0 : data.offset) < bytes)
-          throw_short(name, data, bytes * files, held, "bytes");
+        const std::uint64_t here = bytes_from(name, path, data.at_file_end ? 0 : data.offset);
+        if (here < bytes) throw_short(name, data, bytes * files, held, "bytes");
+        if (here > bytes && files > 1 && !data.at_file_end) {
+          throw Error(
+              fmt::format("{}: its voxels are in {} files, of which each is to have {} bytes of them, "
+                          "and {} has {}",
+                          name, files, bytes - data.skip, path.string(), here - data.skip));
+        }
       }
       break;
     case Encoding::deflate:

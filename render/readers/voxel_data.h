@@ -19,9 +19,10 @@ struct VoxelData {
   std::vector<std::filesystem::path> files = {};
   std::uint64_t offset = 0;
   Encoding encoding = Encoding::raw;
-  std::uint64_t skip = 0;      ///< bytes before the voxels, counted in the inflated stream
-  bool at_file_end = false;    ///< raw voxels that end where their file does: `offset` says nothing
-  std::size_t first_line = 1;  ///< of text: the line of the file that `offset` is in
+  std::uint64_t skip = 0;        ///< bytes before the voxels, counted in the inflated stream
+  bool at_file_end = false;      ///< raw voxels that end where their file does: `offset` says nothing
+  std::size_t first_line = 1;    ///< of text: the line of the file that `offset` is in
+  bool more_may_follow = false;  ///< behind the voxels, as other arrays do
 };
 
 /// Throws Error, which begins with `name`, when a file is missing or the files cannot hold `values` numbers

@@ -36,6 +36,7 @@ class RawStream : public ByteStream {
     if (!file_.read(reinterpret_cast<char*>(out.data()), std::streamsize(out.size())))
       throw Error(fmt::format("{}: {} could not be read to its end", voxels_.name, voxels_.path.string()));
   }
+  bool finish() override { return bytes_from(voxels_.name, voxels_.path, begin_) > voxels_.bytes; }
 
  private:
   VoxelFile voxels_;
@@ -77,12 +78,14 @@ class DeflatedStream : public ByteStream {
     if (got < out.size()) fail();
   }
   /// To its checksum, but no further where it goes on.
-  void finish() override {
+  bool finish() override {
     const std::uint64_t promised = skip_ + voxels_.bytes;
     pass_over(promised);
     std::vector<char> block(block_size);
-    held_ += inflater_.read(block);
+    const std::size_t more = inflater_.read(block);
+    held_ += more;
     if (!inflater_.fault().empty()) fail();
+    return more > 0;
   }
 
  private:
@@ -121,7 +124,11 @@ class DecimalStream : public ByteStream {
     numbers_.skip(first / value_size_ - numbers_.taken());
     numbers_.read(out);
   }
-  void finish() override { numbers_.finish(); }
+  bool finish() override {
+    numbers_.finish();
+    std::string_view word;
+    return words_.next(word);
+  }
 
  private:
   std::size_t value_size_;
@@ -149,8 +156,9 @@ class HexadecimalStream : public ByteStream {
       byte = std::byte(high * 16 + next_digit());
     }
   }
-  void finish() override {
+  bool finish() override {
     while (digits_ < 2 * voxels_.bytes) next_digit();
+    return !(file_ >> std::ws).eof();
   }
 
  private:
@@ -213,9 +221,9 @@ void VoxelStream::read(std::uint64_t first, std::span<std::byte> out) {
   }
 }
 
-void VoxelStream::finish() {
+bool VoxelStream::finish() {
   if (data_.encoding == Encoding::decimal) open(data_.files.size() - 1);
-  if (stream_) stream_->finish();
+  return stream_ && stream_->finish();
 }
 
 }  // namespace crest

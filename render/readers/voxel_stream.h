@@ -16,8 +16,8 @@ class ByteStream {
   virtual ~ByteStream() = default;
   /// Fills `out` with those from `first` on, which is no less than where the last call ended.
   virtual void read(std::uint64_t first, std::span<std::byte> out) = 0;
-  /// Checks what was not asked for.
-  virtual void finish() {}
+  /// Checks what was not asked for. Whether the file goes on behind its voxels.
+  virtual bool finish() = 0;
 };
 
 /// The stored values that a header tells of, as they are asked for: in the byte order that the file has them
@@ -31,7 +31,8 @@ class VoxelStream {
   /// Error when the files do not hold them, are damaged, or hold text that is no number of the type.
   void read(std::uint64_t first, std::span<std::byte> out);
   /// Checks what was not asked for: of compressed files that were read the checksum, of text all numbers.
-  void finish();
+  /// Whether the last file goes on behind its voxels.
+  bool finish();
 
  private:
   void open(std::uint64_t file);

@@ -41,6 +41,9 @@ VtiText read_text(const FileRequest& request) {
   while (file.read(part.data(), std::streamsize(block)), file.gcount() > 0) {
     const std::size_t before = text.xml.size();
     text.xml.append(part, 0, std::size_t(file.gcount()));
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    if (before == 0 && text.xml.starts_with(byte_order_mark))
+      text.xml.replace(0, byte_order_mark.size(), byte_order_mark.size(), ' ');  // places stay
     if (before == 0 && trim(text.xml).substr(0, 1) != "<")
       throw Error(fmt::format("{}: not a VTK XML file: it does not begin with \"<\"", request.name()));
     if (text.xml.size() > request.reading.memory / 4)

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <charconv>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -61,6 +62,11 @@ class Scanner {
     if (!value) fail(fmt::format("{}: \"{}\" is not a number", of, one_line(text.substr(0, 40))));
     return *value;
   }
+  std::optional<unsigned char> byte() {
+    char c = 0;
+    return get(c) ? std::optional(static_cast<unsigned char>(c)) : std::nullopt;
+  }
+  bool at_end() const { return position_ >= size_; }
   /// Past bytes, or as many words; false where the file ends before.
   bool skip_bytes(std::uint64_t bytes) {
     if (bytes > size_ - std::min(size_, position_)) return false;
@@ -137,6 +143,23 @@ std::optional<ScalarType> type_of(const std::string& text, bool is_text) {
   return found == types.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// VTK writes "my%20name" for a name with a space in it.
+std::string decoded(const std::string& name) {
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    unsigned code = 0;
+    const char* const digits = name.data() + i + 1;
+    if (name[i] == '%' && i + 2 < name.size() &&
+        std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
+      text += char(code);
+      i += 2;
+    } else {
+      text += name[i];
+    }
+  }
+  return text;
+}
+
 class Sections {
  public:
   Sections(Scanner& scanner, VtkLegacy& file) : in_(scanner), file_(file) {}
@@ -169,16 +192,24 @@ class Sections {
     return bytes && in_.skip_bytes(*bytes);
   }
 
-  bool add(std::string name, bool is_scalars, const std::string& type_name, std::uint64_t components,
+  bool add(const std::string& name, bool is_scalars, const std::string& type_name, std::uint64_t components,
            std::uint64_t tuples) {
     const auto type = type_of(type_name, file_.is_text);
     if (!type)
       in_.fail(fmt::format("numbers of type \"{}\" are not read", one_line(type_name.substr(0, 40))));
     const auto numbers = checked_product(components, tuples);
     if (components == 0 || !numbers) in_.fail("its numbers cannot be counted");
-    file_.arrays.push_back({std::move(name), section_, is_scalars, *type, components, tuples, in_.position(),
-                            in_.line_number()});
+    file_.arrays.push_back({decoded(name), section_, is_scalars, *type, components, tuples, in_.position(),
+                            in_.line_number(), false});
     return skip(*type, *numbers);
+  }
+
+  /// Bytes; as text they are written as parts of 255.
+  bool add_colours(const std::string& name, std::uint64_t components) {
+    const std::size_t place = file_.arrays.size();
+    const bool whole = add(name, false, file_.is_text ? "float" : "unsigned_char", components, tuples_);
+    file_.arrays[place].is_of_255 = file_.is_text;
+    return whole;
   }
 
   bool take_field() {
@@ -189,10 +220,30 @@ class Sections {
       const std::uint64_t components = in_.count(name), tuples = in_.count(name);
       const std::string type = in_.word();
       in_.line();
-      if (!add(name, false, type, components, tuples)) return false;
+      const bool whole = lower(type) == "string" ? skip_strings(components, tuples)
+                                                 : add(name, false, type, components, tuples);
+      if (!whole) return false;
       skip_metadata();
     }
     return true;
+  }
+  /// In text a line each; else behind a length whose two highest bits say how many bytes it has.
+  bool skip_strings(std::uint64_t components, std::uint64_t tuples) {
+    const auto strings = checked_product(components, tuples);
+    for (std::uint64_t i = 0; strings && i < *strings; ++i) {
+      if (file_.is_text) {
+        if (in_.at_end()) return false;
+        in_.line();
+        continue;
+      }
+      const auto first = in_.byte();
+      if (!first) return false;
+      std::uint64_t length = *first & 0x3fu;
+      const int more = *first >> 6 == 3 ? 0 : *first >> 6 == 2 ? 1 : *first >> 6 == 1 ? 3 : 7;
+      for (int k = 0; k < more; ++k) length = length << 8 | in_.byte().value_or(0);
+      if (!in_.skip_bytes(length)) return false;
+    }
+    return strings.has_value();
   }
   /// It may follow an array within a field.
   void skip_metadata() {
@@ -221,7 +272,7 @@ class Sections {
       return std::uint64_t(*value);
     };
     if (said.size() < 2) in_.fail(fmt::format("{} has no name and type", keyword));
-    if (is_colours) return add(said[0], false, file_.is_text ? "float" : "unsigned_char", number(1), tuples_);
+    if (is_colours) return add_colours(said[0], number(1));
     if (is_texture) return said.size() > 2 && add(said[0], false, said[2], number(1), tuples_);
     if (!is_scalars) return add(said[0], false, said[1], components->second, tuples_);
     const std::uint64_t position = in_.position();

@@ -18,7 +18,8 @@ struct VtkArray {
   ScalarType type = ScalarType::float32;
   std::uint64_t components = 1, tuples = 0;
   std::uint64_t offset = 0;
-  std::size_t line = 0;  ///< in which its numbers begin
+  std::size_t line = 0;    ///< in which its numbers begin
+  bool is_of_255 = false;  ///< text of bytes (COLOR_SCALARS), which says 0.2 for 51
 };
 
 /// What a legacy file says, in the order of the VTK User's Guide's "simple legacy formats".

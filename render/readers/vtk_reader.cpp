@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "presets/error.h"
 #include "render/readers/choose_array.h"
@@ -58,6 +59,7 @@ Volume read_vtk(const FileRequest& request) {
   header.endian = std::endian::big;
   header.data = {{request.path}, array.offset, file.is_text ? Encoding::decimal : Encoding::raw};
   header.data.first_line = array.line;
+  header.data.more_may_follow = true;
   header.spacing = file.spacing;
   header.origin = file.origin;
   constexpr std::uint64_t most = std::uint64_t(1) << 20;  // points on an axis whose product cannot overflow
@@ -67,7 +69,11 @@ Volume read_vtk(const FileRequest& request) {
   }
   if (!file.unread.empty())
     add_note(header.note, fmt::format("what follows its arrays is not read: {}", file.unread));
-  return read_voxels(request, header, ",array");
+  if (array.is_of_255) header.scaling = {255, 0};
+  Volume volume = read_voxels(request, header, ",array");
+  if (array.is_of_255 && !request.query.contains("subtract"))
+    for (float& value : volume.values.floats()) value = std::round(value);  // which text has to six digits
+  return volume;
 }
 
 }  // namespace crest

@@ -112,6 +112,58 @@ TEST_F(DicomFrames, ADicomdirsFilesAreFollowed) {
   EXPECT_EQ(volume.grid.dims, glm::ivec3(4, 3, 3));
   EXPECT_EQ(volume.grid.spacing, glm::dvec3(1, 2, 2));
   for (int k = 0; k < 3; ++k) EXPECT_EQ(volume.at(2, 1, k), float(70 * k));
+  EXPECT_EQ(load_volume(path("set/DICOMDIR")).values, volume.values);
+}
+
+/// Two frames of 4x3 pixels, to their pixel data.
+std::string two_frames(int samples, const std::string& photometric, int bits) {
+  return dicom_head("1.2.840.10008.5.1.4.1.1.7.2", "1.2.3.4") + element(8, 0x60, "CS", "US") +
+         element(0x20, 0xd, "UI", "1.2") + element(0x20, 0xe, "UI", "1.2.3") +
+         element(0x28, 2, "US", dicom_us(samples)) + element(0x28, 4, "CS", photometric) +
+         (samples > 1 ? element(0x28, 6, "US", dicom_us(0)) : "") + element(0x28, 8, "IS", "2") +
+         element(0x28, 0x10, "US", dicom_us(3)) + element(0x28, 0x11, "US", dicom_us(4)) +
+         element(0x28, 0x100, "US", dicom_us(bits));
+}
+/// What follows where the pixels are integers.
+std::string as_integers(int bits) {
+  return element(0x28, 0x101, "US", dicom_us(bits)) + element(0x28, 0x102, "US", dicom_us(bits - 1)) +
+         element(0x28, 0x103, "US", dicom_us(0));
+}
+
+TEST_F(DicomFrames, MoreThanThereArePixelsOfAreRefused) {
+  const std::string head = two_frames(1, "MONOCHROME2", 8) + as_integers(8);
+  EXPECT_EQ(load_volume(write("a.dcm", head + element(0x7fe0, 0x10, "OB", std::string(24, 'a')))).values[23],
+            97.f);
+  for (const int held : {12, 22})
+    expect_error(write("b.dcm", head + element(0x7fe0, 0x10, "OB", std::string(std::size_t(held), 'a'))),
+                 {"2 frames of 4x3", "24 bytes", fmt::format("has {}", held)});
+}
+
+TEST_F(DicomFrames, OfFloatingPointAreRead) {
+  for (const ScalarType type : {float32, float64}) {
+    const bool is_double = type == float64;
+    const std::string head = two_frames(1, "MONOCHROME2", is_double ? 64 : 32);
+    std::string pixels;
+    for (int i = 0; i < 24; ++i) append_value(pixels, 0.25 - i, type, std::endian::little);
+    const auto file = [&](const std::string& bytes) {
+      return write("a.dcm", head + element(0x7fe0, is_double ? 9 : 8, is_double ? "OD" : "OF", bytes));
+    };
+    const Volume volume = load_volume(file(pixels));
+    EXPECT_EQ(volume.file_type, type);
+    for (int i = 0; i < 24; ++i) EXPECT_EQ(volume.values[std::size_t(i)], 0.25f - float(i));
+    expect_error(file(pixels.substr(0, pixels.size() - 8)), {"2 frames of 4x3", "has"});
+    expect_error(file(pixels + std::string(8, 'x')), {"24 floating-point pixels"});
+  }
+}
+
+TEST_F(DicomFrames, LumaAndColourDifferencesAreNoColours) {
+  const std::string pixels(72, 'a');
+  for (const auto& [photometric, said] : {std::pair("RGB", "green"), {"YBR_FULL", "blue less luma"}}) {
+    const std::string head = two_frames(3, photometric, 8) + as_integers(8);
+    const Volume volume =
+        load_volume(write("a.dcm", head + element(0x7fe0, 0x10, "OB", pixels)) + "?component=1");
+    EXPECT_NE(volume.note.find(said), std::string::npos) << volume.note;
+  }
 }
 
 TEST_F(DicomFrames, APalettesNumbersAreKept) {

@@ -46,6 +46,11 @@ TEST_F(TextVoxels, WhatIsNoNumberIsRefusedWithItsPlace) {
   expect_error(files("0 1 2\n3 abc 5 6 7\n", false)[0], {"line 12"});
 }
 
+TEST_F(TextVoxels, AWordThatIsTooLongIsNotTakenInPieces) {
+  for (const std::string& file : files("0 1 2\n3 " + std::string(10000, '1') + " 5 6 7\n", false))
+    expect_error(file, {"111...", "voxel 4", "not a number"});
+}
+
 TEST_F(TextVoxels, WhatAnIntegerTypeHasNotIsCountedAndRefused) {
   for (const std::string& file : files("0 1 2 3 300 -1 1.5 255", true))
     expect_error(file, {"3 of its numbers", "uint8", "\"300\" at voxel 4"});

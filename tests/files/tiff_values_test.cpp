@@ -267,6 +267,13 @@ TEST_F(TiffValues, NetpbmsGreatestValueScalesNothing) {
   }
 }
 
+TEST_F(TiffValues, ANetpbmFileOfSeveralImagesIsRefused) {
+  for (const char* name : {"pgm/0.pgm", "pgm/1.pgm"}) write(name, "P5 2 2 255\nabcd\nP5 2 2 255\nefgh\n");
+  expect_error(path("pgm"), {"0.pgm", "several images"});
+  for (const char* name : {"pgm/0.pgm", "pgm/1.pgm"}) write(name, "P5 2 2 255\nabcd\n");
+  EXPECT_EQ(load_volume(path("pgm")).at(1, 0, 0), float('b'));
+}
+
 TEST_F(TiffValues, PngsAlphaMultipliesNothing) {
   for (int page = 0; page < 2; ++page) {
     const std::string file = write(fmt::format("png/{}.png", page), "");

@@ -46,6 +46,36 @@ TEST_F(VtkArrays, BinaryOnesAreSteppedOver) {
   for (int i = 0; i < 60; ++i) EXPECT_EQ(volume.values[std::size_t(i)], float(stored_value(int16, i)));
 }
 
+TEST_F(VtkArrays, ColoursAsTextAreBytes) {
+  std::string rest = "POINT_DATA 60\nCOLOR_SCALARS c 1\n";
+  for (int i = 0; i < 60; ++i) rest += fmt::format("{:.6g} ", (i * 4 + 3) / 255.0);  // as VTK writes them
+  const Volume volume = load_volume(write("a.vtk", legacy("ASCII", rest + "\n")));
+  for (int i = 0; i < 60; ++i) EXPECT_EQ(volume.values[std::size_t(i)], float(i * 4 + 3));
+  EXPECT_NE(volume.note.find("255 times"), std::string::npos) << volume.note;
+  rest = "POINT_DATA 60\nCOLOR_SCALARS c 1\n" + voxel_bytes(uint8, endian::big);
+  EXPECT_EQ(load_volume(write("b.vtk", legacy("BINARY", rest))).values[7], float(stored_value(uint8, 7)));
+}
+
+TEST_F(VtkArrays, NamesHaveTheirSpaces) {
+  const std::string rest = "POINT_DATA 60\nSCALARS my%20name%25 float 1\nLOOKUP_TABLE default\n" +
+                           numbers(60, 0) + "SCALARS 100% float 1\nLOOKUP_TABLE default\n" + numbers(60, 100);
+  const std::string file = write("a.vtk", legacy("ASCII", rest));
+  expect_error(file, {"my name%, 100%"});
+  EXPECT_EQ(load_volume(file + "?array=my name%").values[1], 1.f);
+}
+
+TEST_F(VtkArrays, StringsOfAFieldAreSteppedOver) {
+  const std::string field = "FIELD FieldData 2\nwords 1 3 string\n", after = "t 1 1 double\n",
+                    scalars = "POINT_DATA 60\nSCALARS d short 1\nLOOKUP_TABLE default\n";
+  std::string text =
+      legacy("ASCII", field + "POINT_DATA%20x\n\nb\n" + after + "5\n" + scalars + numbers(60, 3));
+  EXPECT_EQ(load_volume(write("a.vtk", text)).values[59], 62.f);
+  const std::string longer(100, '\n'), lengths[] = {"\xc2", std::string("\x80\x64", 2)};
+  text = legacy("BINARY", field + lengths[0] + "ab\xc0" + lengths[1] + longer + "\n" + after +
+                              std::string(8, '\0') + "\n" + scalars + voxel_bytes(int16, endian::big));
+  EXPECT_EQ(load_volume(write("b.vtk", text)).values[59], float(stored_value(int16, 59)));
+}
+
 TEST_F(VtkArrays, WhereNothingSaysWhichTheyAreListed) {
   const std::string rest =
       "POINT_DATA 60\nFIELD FieldData 2\np 1 60 float\n" + numbers(60, 0) + "q 1 60 float\n" + numbers(60, 9);

@@ -1,0 +1,153 @@
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "files.h"
+#include "render/files/load.h"
+
+namespace crest::test {
+namespace {
+
+using enum ScalarType;
+using std::endian;
+
+/// What headers say in unusual ways, as other programs write them.
+class Headers : public FileTest {
+ protected:
+  std::string nrrd_head(const std::string& more) const {
+    return "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 5 4 3\nencoding: raw\n" + more;
+  }
+  std::string mha_head(const std::string& dims, const std::string& file) const {
+    return fmt::format("NDims = 3\nDimSize = {}\nElementType = MET_UCHAR\nElementDataFile = {}", dims, file);
+  }
+  std::string note_of(const std::string& source) const { return load_volume(source).note; }
+  static float stored(int i) { return float(stored_value(uint8, i)); }
+  const std::string voxels = voxel_bytes(uint8, endian::little);
+};
+
+TEST_F(Headers, VoxelFilesThatAreTooManyOrTooLongAreRefused) {
+  for (int i = 0; i < 4; ++i) write(fmt::format("s{}", i), voxels.substr(0, 20));
+  const std::string list = "s0\ns1\ns2\ns3\n";  // of 15 bytes each, by the header
+  expect_error(write("a.nhdr", nrrd_head("data file: LIST\n" + list)), {"4 files", "15 bytes", "has 20"});
+  expect_error(write("a.mhd", mha_head("5 4 3", "LIST\n" + list)), {"4 files", "15 bytes", "has 20"});
+}
+
+TEST_F(Headers, AFileThatGoesOnBehindItsVoxelsIsNoted) {
+  const std::string more = "goes on";
+  write("a.raw", voxels + "x");
+  EXPECT_NE(note_of(write("a.nhdr", nrrd_head("data file: a.raw\n"))).find("a.raw " + more),
+            std::string::npos);
+  EXPECT_EQ(note_of(write("b.nhdr", nrrd_head("byte skip: -1\ndata file: a.raw\n"))), "");
+  EXPECT_NE(note_of(write("a.nrrd", nrrd_head("\n") + voxels + "x")).find(more), std::string::npos);
+  EXPECT_EQ(note_of(write("b.nrrd", nrrd_head("\n") + voxels)), "");
+  const std::string text =
+      "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: ascii\n\n1 2 3 4 5 6 7 8\n";
+  EXPECT_EQ(note_of(write("c.nrrd", text)), "");
+  EXPECT_NE(note_of(write("d.nrrd", text + "9\n")).find(more), std::string::npos);
+  std::string hex = text.substr(0, text.find("ascii")) + "hex\n\n0102030405060708\n";
+  EXPECT_EQ(note_of(write("e.nrrd", hex)), "");
+  EXPECT_NE(note_of(write("f.nrrd", hex + "09\n")).find(more), std::string::npos);
+  const Sample packed = nrrd_gzip(uint8, endian::little);
+  EXPECT_EQ(note_of(write("g.nrrd", packed.content)), "");
+  EXPECT_NE(note_of(write("h.nrrd", packed.content + gzip("x"))).find(more), std::string::npos);
+}
+
+TEST_F(Headers, TheirLastLineNeedsNoEnd) {
+  write("a.raw", voxels);
+  EXPECT_EQ(load_volume(write("a.nhdr", nrrd_head("data file: a.raw"))).values[7], stored(7));
+  EXPECT_EQ(load_volume(write("a.mhd", mha_head("5 4 3", "a.raw"))).values[7], stored(7));
+  EXPECT_EQ(load_volume(write("b.nhdr", nrrd_head("data file: LIST\na.raw"))).values[7], stored(7));
+}
+
+TEST_F(Headers, AnNrrdListNamesAnyFile) {
+  for (const char* name : {"t: 1", "t: 2", "c:3"}) write(name, voxels.substr(0, 20));
+  EXPECT_EQ(load_volume(write("a.nhdr", nrrd_head("data file: LIST\nt: 1\nt: 2\nc:3\n"))).values[47],
+            stored(7));
+}
+
+TEST_F(Headers, NrrdFieldsInOneWordAreTheSame) {
+  const std::string head = nrrd_head("axismins: 0 0 0\naxismaxs: 5 8 12\ncenterings: cell cell cell\n\n");
+  const Volume volume = load_volume(write("a.nrrd", head + voxels));
+  EXPECT_EQ(volume.grid.spacing, glm::dvec3(1, 2, 4));
+  EXPECT_EQ(volume.grid.origin, glm::dvec3(0.5, 1, 2));
+  expect_error(write("b.nrrd", nrrd_head("axismins: 0 0 0\naxis mins: 0 0 0\n\n") + voxels), {"twice"});
+}
+
+TEST_F(Headers, AnNrrdSpacingThatIsNotKnownIsNoted) {
+  const Volume volume = load_volume(write("a.nrrd", nrrd_head("spacings: 2 nan 3\n\n") + voxels));
+  EXPECT_EQ(volume.grid.spacing, glm::dvec3(2, 1, 3));
+  EXPECT_NE(volume.note.find("axis 2"), std::string::npos) << volume.note;
+}
+
+TEST_F(Headers, AnNrrdDirectionOfNansIsNone) {
+  std::string head =
+      nrrd_head("space dimension: 3\nspace directions: (nan,nan,nan) (1,0,0) (0,1,0) (0,0,1)\n\n");
+  head.replace(head.find("dimension: 3"), 12, "dimension: 4");
+  head.replace(head.find("5 4 3"), 5, "2 5 2 3");
+  EXPECT_EQ(load_volume(write("a.nrrd", head + voxels) + "?component=1").values[3], stored(7));
+}
+
+TEST_F(Headers, AMetaImageHasOneSizeAnAxis) {
+  expect_error(write("a.mha", mha_head("5 4 3 2", "LOCAL\n") + voxels + voxels),
+               {"DimSize", "4", "NDims is 3"});
+}
+
+TEST_F(Headers, BytesOfAnMrcAreSignedAsItsRangeSays) {
+  const auto file_of = [&](int version, double least, double greatest) {
+    std::string file = mrc(int8, endian::little).content.substr(0, 1024) + std::string(60, '\xc8');
+    file = with(file, 76, bytes_of({least, greatest}, float32));
+    return write("a.mrc", with(file, 108, bytes_of({double(version)}, int32)));
+  };
+  EXPECT_EQ(load_volume(file_of(0, -56, 0)).values[0], -56.f);
+  EXPECT_EQ(load_volume(file_of(0, 0, 200)).values[0], 200.f);
+  EXPECT_EQ(load_volume(file_of(20140, 0, 200)).values[0], 200.f);
+  EXPECT_EQ(load_volume(file_of(0, 0, 0)).values[0], 200.f);  // not said: by the version
+  EXPECT_EQ(load_volume(file_of(20140, 0, 0)).values[0], -56.f);
+  EXPECT_NE(load_volume(file_of(20140, 0, 0)).note.find("int8"), std::string::npos);
+}
+
+TEST_F(Headers, AWrongMrcStampIsSeenInModeZeroToo) {
+  std::string file = mrc(int8, endian::big).content;
+  file = with(file, 212, "DA");
+  const Volume volume = load_volume(write("a.mrc", file));
+  EXPECT_EQ(volume.grid.dims, glm::ivec3(5, 4, 3));
+  EXPECT_NE(volume.note.find("wrong"), std::string::npos) << volume.note;
+}
+
+TEST_F(Headers, ANiftiScalingThatIsNoNumberIsNoted) {
+  const auto note = [&](float slope, float intercept) {
+    return note_of(write("a.nii", nifti_header(uint8, endian::little, slope, intercept) + voxels));
+  };
+  EXPECT_NE(note(2, NAN).find("not applied"), std::string::npos);
+  EXPECT_NE(note(INFINITY, 0).find("not applied"), std::string::npos);
+  EXPECT_EQ(note(NAN, NAN).find("not applied"), std::string::npos);  // of programs that have none
+  EXPECT_EQ(note(0, NAN).find("not applied"), std::string::npos);
+}
+
+TEST_F(Headers, NiftiVoxelsWithoutAPlaceFollowTheHeaderAndItsFlag) {
+  std::string first = nifti_header(uint8, endian::little, 0, 0);
+  first = with(first, 108, bytes_of({0}, float32));
+  EXPECT_EQ(load_volume(write("a.nii", first + voxels)).values[7], stored(7));
+  const std::string second = with(nifti2_header(), 168, bytes_of({0}, int64));
+  const Volume volume = load_volume(write("b.nii", second + voxel_bytes(int16, endian::little)));
+  EXPECT_EQ(volume.values[7], float(stored_value(int16, 7)));
+}
+
+TEST_F(Headers, ANumPyShapeOfPython2IsRead) {
+  std::string head = "{'descr': '|u1', 'fortran_order': False, 'shape': (3L, 4L, 5L), }";
+  head.resize(117, ' ');
+  head += '\n';
+  const std::string file = std::string("\x93NUMPY\x01\x00", 8) + char(head.size()) + '\0' + head + voxels;
+  EXPECT_EQ(load_volume(write("a.npy", file)).values[7], stored(7));
+}
+
+TEST_F(Headers, AByteOrderMarkBeforeVtkXmlIsPassedOver) {
+  const std::string file =
+      "\xef\xbb\xbf<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"0.1\"><ImageData "
+      "WholeExtent=\"0 1 0 1 0 1\"><Piece Extent=\"0 1 0 1 0 1\"><PointData><DataArray type=\"UInt8\" "
+      "Name=\"s\" format=\"ascii\">1 2 3 4 5 6 7 8</DataArray></PointData></Piece></ImageData></VTKFile>\n";
+  EXPECT_EQ(load_volume(write("a.vti", file)).values[7], 8.f);
+}
+
+}  // namespace
+}  // namespace crest::test

@@ -1,0 +1,130 @@
+#include <fmt/core.h>
+#include <tiffio.h>
+
+#include <vector>
+
+#include "files.h"
+#include "render/files/load.h"
+
+namespace crest::test {
+namespace {
+
+/// One page: 4x3 numbers of 16 bits, from `first` on.
+struct Page {
+  Page(int begin, std::uint32_t which = 0, int columns = 4, std::uint32_t planes = 1)
+      : first(begin), kind(which), width(columns), depth(planes) {}
+  int first;
+  std::uint32_t kind;  ///< FILETYPE_REDUCEDIMAGE or FILETYPE_MASK
+  int width;
+  std::uint32_t depth;
+};
+
+/// What other programs say of a TIFF file's pages.
+class TiffDescriptions : public FileTest {
+ protected:
+  std::string file(const std::string& name, const std::string& description,
+                   const std::vector<Page>& pages) const {
+    constexpr int height = 3, bits = 16;
+    TIFF* const tiff = TIFFOpen(path(name).c_str(), "w");
+    for (const Page& page : pages) {
+      TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, page.width);
+      TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, height);
+      TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
+      TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+      TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, height);
+      TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+      if (page.kind != 0) TIFFSetField(tiff, TIFFTAG_SUBFILETYPE, page.kind);
+      if (page.depth > 1) TIFFSetField(tiff, TIFFTAG_IMAGEDEPTH, page.depth);
+      if (!description.empty()) TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
+      std::vector<std::uint16_t> values;
+      for (int i = 0; i < page.width * height; ++i) values.push_back(std::uint16_t(page.first + i));
+      TIFFWriteEncodedStrip(tiff, 0, values.data(), tmsize_t(2 * values.size()));
+      TIFFWriteDirectory(tiff);
+    }
+    TIFFClose(tiff);
+    return path(name);
+  }
+  static std::vector<Page> pages(int count) {
+    std::vector<Page> list;
+    for (int i = 0; i < count; ++i) list.emplace_back(100 * i);
+    return list;
+  }
+};
+
+std::string ome(const std::string& more, int images = 1) {
+  std::string text = "<OME>";
+  for (int i = 0; i < images; ++i)
+    text += fmt::format(
+        "<Image><Pixels DimensionOrder=\"XYZCT\" SizeX=\"4\" SizeY=\"3\" SizeZ=\"3\" "
+        "SizeC=\"1\" SizeT=\"1\" {}><TiffData IFD=\"{}\" PlaneCount=\"3\"/></Pixels></Image>",
+        more, 3 * i);
+  return text + "</OME>";
+}
+
+TEST_F(TiffDescriptions, OmesLengthsAreInItsUnits) {
+  const std::pair<const char*, double> units[] = {{"µm", 1},  {"nm", 1e-3}, {"mm", 1e3}, {"cm", 1e4},
+                                                  {"m", 1e6}, {"pm", 1e-6}, {"Å", 1e-4}, {"in", 25400}};
+  for (const auto& [unit, micrometres] : units) {
+    std::string sizes;
+    for (const char axis : {'X', 'Y', 'Z'})
+      sizes += fmt::format("PhysicalSize{0}=\"2\" PhysicalSize{0}Unit=\"{1}\" ", axis, unit);
+    const Volume volume = load_volume(file("a.tif", ome(sizes), pages(3)));
+    EXPECT_DOUBLE_EQ(volume.grid.spacing.z, 2 * micrometres) << unit;
+    EXPECT_NE(volume.note.find("micrometres"), std::string::npos) << volume.note;
+  }
+  const std::string pixels =
+      "PhysicalSizeX=\"2\" PhysicalSizeXUnit=\"pixel\" PhysicalSizeY=\"3\" "
+      "PhysicalSizeYUnit=\"pixel\" PhysicalSizeZ=\"4\" PhysicalSizeZUnit=\"pixel\"";
+  const Volume volume = load_volume(file("b.tif", ome(pixels), pages(3)));
+  EXPECT_EQ(volume.grid.spacing, glm::dvec3(2, 3, 4));
+  EXPECT_NE(volume.note.find("lengths in \"pixel\""), std::string::npos) << volume.note;
+  EXPECT_EQ(volume.note.find("micrometres"), std::string::npos) << volume.note;
+}
+
+TEST_F(TiffDescriptions, OfOmesImagesTheFirstIsTakenWithANote) {
+  const Volume volume = load_volume(file("a.tif", ome("", 2), pages(6)));
+  EXPECT_EQ(volume.grid.dims.z, 3);
+  EXPECT_NE(volume.note.find("first of its 2 images"), std::string::npos) << volume.note;
+}
+
+TEST_F(TiffDescriptions, ImageJsCalibrationIsApplied) {
+  const std::string head = "ImageJ=1.53t\nimages=3\nslices=3\n";
+  const std::string is_signed = file("a.tif", head + "cf=0\nc0=-32768.0\nc1=1.0\n", pages(3));
+  EXPECT_EQ(load_volume(is_signed).values[13], 101.f - 32768);
+  EXPECT_EQ(load_volume(is_signed + "?subtract=-32768").values[13], 101.f);
+  EXPECT_NE(load_volume(is_signed).note.find("calibration"), std::string::npos);
+  EXPECT_EQ(load_volume(file("b.tif", head + "cf=0\nc0=-10\nc1=0.5\n", pages(3))).values[13], 40.5f);
+  const Volume curve = load_volume(file("c.tif", head + "cf=4\nc0=1\nc1=2\n", pages(3)));
+  EXPECT_EQ(curve.values[13], 101.f);
+  EXPECT_NE(curve.note.find("not applied"), std::string::npos) << curve.note;
+  EXPECT_EQ(load_volume(file("d.tif", head, pages(3))).note.find("calibration"), std::string::npos);
+}
+
+TEST_F(TiffDescriptions, TifffilesAxesBeforeZAreFrames) {
+  const std::string four = file("a.tif", "{\"shape\": [2, 3, 3, 4]}", pages(6));
+  expect_error(four, {"2 frames"});
+  EXPECT_EQ(load_volume(four + "?frame=1").values[12], 400.f);
+  const std::string colours = file("b.tif", "{\"shape\": [2, 3, 3, 4], \"axes\": \"CZYX\"}", pages(6));
+  EXPECT_EQ(load_volume(colours + "?component=1").values[12], 400.f);
+  EXPECT_EQ(load_volume(file("c.tif", "{\"shape\": [6, 3, 4]}", pages(6))).grid.dims.z, 6);
+  EXPECT_EQ(load_volume(file("d.tif", "{\"shape\": [1, 6, 3, 4]}", pages(6))).grid.dims.z, 6);
+  for (const char* odd :
+       {"{\"shape\": [5, 3, 4]}", "{\"shape\": [", "{\"shape\": [-1, 99999999999999999999]}"})
+    EXPECT_EQ(load_volume(file("e.tif", odd, pages(6))).grid.dims.z, 6) << odd;
+}
+
+TEST_F(TiffDescriptions, SmallerCopiesAndMasksAreLeftOut) {
+  const std::vector<Page> list = {Page(0), Page(900, FILETYPE_REDUCEDIMAGE, 2), Page(100),
+                                  Page(900, FILETYPE_MASK)};
+  const Volume volume = load_volume(file("a.tif", "", list));
+  EXPECT_EQ(volume.grid.dims, glm::ivec3(4, 3, 2));
+  EXPECT_EQ(volume.values[12], 100.f);
+  EXPECT_NE(volume.note.find("2 pages left out"), std::string::npos) << volume.note;
+}
+
+TEST_F(TiffDescriptions, APageWithADepthIsRefused) {
+  expect_error(file("a.tif", "", {Page(0), Page(100, 0, 4, 3)}), {"page 2", "depth"});
+}
+
+}  // namespace
+}  // namespace crest::test
