@@ -106,6 +106,16 @@ TEST_F(Headers, BytesOfAnMrcAreSignedAsItsRangeSays) {
   EXPECT_NE(load_volume(file_of(20140, 0, 0)).note.find("int8"), std::string::npos);
 }
 
+TEST_F(Headers, AnMrcMayBeCompressed) {
+  const std::string content = mrc(int16, endian::little).content;
+  EXPECT_EQ(load_volume(write("a.map.gz", gzip(content))).values[7], float(stored_value(int16, 7)));
+  const std::string whole = gzip(content), cut = whole.substr(0, whole.size() - 12);
+  expect_error(write("b.mrc.gz", cut), {"b.mrc.gz", "ends early"});
+  std::string extended = with(content, 92, bytes_of({40}, int32));
+  extended.insert(1024, std::string(40, 'x'));
+  EXPECT_EQ(load_volume(write("c.mrc.gz", gzip(extended))).values[7], float(stored_value(int16, 7)));
+}
+
 TEST_F(Headers, AWrongMrcStampIsSeenInModeZeroToo) {
   std::string file = mrc(int8, endian::big).content;
   file = with(file, 212, "DA");
