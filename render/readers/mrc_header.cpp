@@ -192,7 +192,7 @@ VoxelHeader read_mrc_header(const fs::path& path) {
   header.endian =
       f.swapped == (std::endian::native == std::endian::little) ? std::endian::big : std::endian::little;
   header.data = {{path}, 0, is_compressed ? Encoding::deflate : Encoding::raw};
-  header.data.skip = header_size + std::uint64_t(extended_bytes(f));
+  (is_compressed ? header.data.skip : header.data.offset) = header_size + std::uint64_t(extended_bytes(f));
   take_layout(name, f, *mode, order, header);
   header.component_names = colour_names(mode->components);
   take_geometry(f, order, header);

@@ -36,9 +36,20 @@ struct Close {
 };
 using TiffHandle = std::unique_ptr<TIFF, Close>;
 
+/// Of the byte order, and of the version: 42, or 43 of BigTIFF.
+void require_mark(const fs::path& file) {
+  using namespace std::string_view_literals;
+  std::string head(4, '\0');
+  std::ifstream(file, std::ios::binary).read(head.data(), std::streamsize(head.size()));
+  constexpr std::string_view marks[] = {"II*\0"sv, "II+\0"sv, "MM\0*"sv, "MM\0+"sv};
+  if (std::ranges::find(marks, head) == std::end(marks))
+    throw Error(fmt::format("{}: not a TIFF file: it does not begin with II* or MM*", file.string()));
+}
+
 /// `fault` receives the library's messages, and `doubt` whether lengths are wrong, as long as the file is
 /// open.
 TiffHandle open(const fs::path& file, std::string& fault, bool& doubt) {
+  require_mark(file);
   TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
   TIFFOpenOptionsSetErrorHandlerExtR(options, keep_message, &fault);
   TIFFOpenOptionsSetWarningHandlerExtR(options, keep_doubt, &doubt);

@@ -52,6 +52,17 @@ TEST_F(Headers, AFileThatGoesOnBehindItsVoxelsIsNoted) {
   EXPECT_NE(note_of(write("h.nrrd", packed.content + gzip("x"))).find(more), std::string::npos);
 }
 
+TEST_F(Headers, WhatIsNoFileOfVoxelsIsSaid) {
+  for (const char* odd : {"/dev/zero", "."}) {
+    expect_error(write("a.nhdr", nrrd_head(fmt::format("data file: {}\n", odd))), {odd, "no ordinary file"});
+    expect_error(write("a.mhd", mha_head("5 4 3", odd)), {odd, "no ordinary file"});
+  }
+  expect_error(write("b.nhdr", nrrd_head("data file: none\n")), {"none", "not there"});
+  expect_error(write("a.vti", ""), {"empty"});
+  for (const char* content : {"", "II", "PK\3\4 and more"})
+    expect_error(write("a.tif", content), {"not a TIFF file"});
+}
+
 TEST_F(Headers, TheirLastLineNeedsNoEnd) {
   write("a.raw", voxels);
   EXPECT_EQ(load_volume(write("a.nhdr", nrrd_head("data file: a.raw"))).values[7], stored(7));
