@@ -103,7 +103,8 @@ std::vector<fs::path> voxel_files(const std::string& name, const fs::path& path,
   }
   for (const fs::path& file : files) {
     if (!fs::is_regular_file(file)) {
-      throw Error(fmt::format("{}: its ElementDataFile {} is not there", name, file.string()));
+      throw Error(fmt::format("{}: its ElementDataFile {} is {}", name, file.string(),
+                              fs::exists(file) ? "no ordinary file" : "not there"));
     }
   }
   return files;

@@ -170,11 +170,14 @@ void take_geometry(const BinaryFields& f, glm::ivec3 order, VoxelHeader& header)
 
 VoxelHeader read_mrc_header(const fs::path& path) {
   const std::string name = path.string();
-  const std::string head = read_head(path, header_size);
+  const bool is_compressed = read_head(path, 2) == "\x1f\x8b";  // as the EMDB's maps come
+  const std::string head = read_head(path, header_size, is_compressed);
   if (head.size() < header_size)
     throw Error(fmt::format("{}: not an MRC file: its header has fewer than 1024 bytes", name));
+  constexpr std::uint64_t greatest_inflation = 1032;
+  const std::uint64_t most_bytes = fs::file_size(path) * (is_compressed ? greatest_inflation : 1);
   VoxelHeader header;
-  const BinaryFields f = in_byte_order(name, head, fs::file_size(path), header.note);
+  const BinaryFields f = in_byte_order(name, head, most_bytes, header.note);
   const auto mode = mode_of(f);
   if (!mode) {
     throw Error(
@@ -188,7 +191,8 @@ VoxelHeader read_mrc_header(const fs::path& path) {
     add_note(header.note, fmt::format("bytes are taken as {}", name_of(mode->type)));
   header.endian =
       f.swapped == (std::endian::native == std::endian::little) ? std::endian::big : std::endian::little;
-  header.data = {{path}, header_size + std::uint64_t(extended_bytes(f)), Encoding::raw};
+  header.data = {{path}, 0, is_compressed ? Encoding::deflate : Encoding::raw};
+  (is_compressed ? header.data.skip : header.data.offset) = header_size + std::uint64_t(extended_bytes(f));
   take_layout(name, f, *mode, order, header);
   header.component_names = colour_names(mode->components);
   take_geometry(f, order, header);

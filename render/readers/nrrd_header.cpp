@@ -180,7 +180,8 @@ std::vector<fs::path> voxel_files(const std::string& name, const fs::path& folde
       throw Error(fmt::format("{}: its data file {} is a NIfTI file: open that one", name, file.string()));
     }
     if (!fs::is_regular_file(file)) {
-      throw Error(fmt::format("{}: its data file {} is not there", name, file.string()));
+      throw Error(fmt::format("{}: its data file {} is {}", name, file.string(),
+                              fs::exists(file) ? "no ordinary file" : "not there"));
     }
   }
   return files;

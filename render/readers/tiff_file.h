@@ -14,8 +14,7 @@ namespace crest {
 struct TiffDescription {
   std::string text;  ///< ImageDescription
   double pixels_per_unit_x = 0, pixels_per_unit_y = 0;
-  std::vector<std::size_t>
-      whole_pages;  ///< neither smaller copies of others nor masks; none where that is unclear
+  std::vector<std::size_t> whole_pages;  ///< neither smaller copies of others nor masks
 };
 TiffDescription describe_tiff(const std::filesystem::path& file);
 

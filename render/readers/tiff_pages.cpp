@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cstdarg>
 #include <cstring>
+#include <fstream>
 #include <optional>
 
 #include "presets/error.h"
 #include "render/files/header_text.h"
+#include "render/readers/binary_fields.h"
 #include "render/readers/page_file.h"
 #include "render/readers/tiff_file.h"
 
@@ -34,9 +36,20 @@ struct Close {
 };
 using TiffHandle = std::unique_ptr<TIFF, Close>;
 
+/// Of the byte order, and of the version: 42, or 43 of BigTIFF.
+void require_mark(const fs::path& file) {
+  using namespace std::string_view_literals;
+  std::string head(4, '\0');
+  std::ifstream(file, std::ios::binary).read(head.data(), std::streamsize(head.size()));
+  constexpr std::string_view marks[] = {"II*\0"sv, "II+\0"sv, "MM\0*"sv, "MM\0+"sv};
+  if (std::ranges::find(marks, head) == std::end(marks))
+    throw Error(fmt::format("{}: not a TIFF file: it does not begin with II* or MM*", file.string()));
+}
+
 /// `fault` receives the library's messages, and `doubt` whether lengths are wrong, as long as the file is
 /// open.
 TiffHandle open(const fs::path& file, std::string& fault, bool& doubt) {
+  require_mark(file);
   TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
   TIFFOpenOptionsSetErrorHandlerExtR(options, keep_message, &fault);
   TIFFOpenOptionsSetWarningHandlerExtR(options, keep_doubt, &doubt);
@@ -106,13 +119,56 @@ void unpack_row(const std::byte* row, std::size_t count, const Page& page, std::
   }
 }
 
+/// Whether the current page's fields, and the place of the next page behind them, are in the file: to the
+/// library a place that is cut off says that no page follows.
+bool fields_are_whole(const fs::path& file, TIFF* tiff) {
+  std::ifstream stream(file, std::ios::binary);
+  const bool big = TIFFIsBigTIFF(tiff) != 0;
+  std::string count(big ? 8 : 2, '\0');
+  const std::uint64_t at = TIFFCurrentDirOffset(tiff);
+  stream.seekg(std::streamoff(at));
+  stream.read(count.data(), std::streamsize(count.size()));
+  const BinaryFields fields{count, TIFFIsByteSwapped(tiff) != 0};
+  const std::uint64_t entries = big ? fields.at<std::uint64_t>(0) : fields.at<std::uint16_t>(0);
+  return stream && at + (big ? 8 + 20 * entries + 8 : 2 + 12 * entries + 4) <= fs::file_size(file);
+}
+
+struct Pages {
+  std::size_t count = 0;
+  std::vector<std::size_t> whole;  ///< neither smaller copies of others nor masks
+};
+/// All pages of a file that was just opened: to the library one that is not there, as the file was cut off,
+/// is the end.
+Pages walk_pages(const fs::path& file, TIFF* tiff, std::string& fault) {
+  Pages pages;
+  for (;; ++pages.count) {
+    const auto kind = field(tiff, TIFFTAG_SUBFILETYPE, 0u);
+    if ((kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) == 0) pages.whole.push_back(pages.count);
+    if (TIFFLastDirectory(tiff) != 0) break;
+    fault.clear();
+    if (TIFFReadDirectory(tiff) != 1) {
+      throw Error(page_fault(file, pages.count + 1,
+                             fault.empty() ? "it is damaged, or beyond the file's end" : fault));
+    }
+  }
+  ++pages.count;
+  if (!fields_are_whole(file, tiff))
+    throw Error(
+        page_fault(file, pages.count - 1, "the file ends before it says whether another page follows"));
+  return pages;
+}
+
 class TiffFile : public PageFile {
  public:
   explicit TiffFile(const fs::path& file)
       : file_(file), bytes_(fs::file_size(file)), tiff_(open(file, fault_, doubt_)) {}
 
   std::size_t pages() override {
-    if (pages_ == 0) pages_ = TIFFNumberOfDirectories(tiff_.get());
+    if (pages_ == 0) {
+      std::string fault;
+      bool doubt = false;
+      pages_ = walk_pages(file_, open(file_, fault, doubt).get(), fault).count;
+    }
     return pages_;
   }
 
@@ -235,13 +291,7 @@ TiffDescription describe_tiff(const fs::path& file) {
   float x = 0, y = 0;
   if (TIFFGetField(tiff.get(), TIFFTAG_XRESOLUTION, &x) == 1) description.pixels_per_unit_x = double(x);
   if (TIFFGetField(tiff.get(), TIFFTAG_YRESOLUTION, &y) == 1) description.pixels_per_unit_y = double(y);
-  std::size_t page = 0;
-  do {
-    const auto kind = field(tiff.get(), TIFFTAG_SUBFILETYPE, 0u);
-    if ((kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) == 0) description.whole_pages.push_back(page);
-    ++page;
-  } while (TIFFReadDirectory(tiff.get()) == 1);
-  if (page != TIFFNumberOfDirectories(tiff.get())) description.whole_pages.clear();  // one is damaged
+  description.whole_pages = walk_pages(file, tiff.get(), fault).whole;
   return description;
 }
 

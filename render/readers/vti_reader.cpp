@@ -59,6 +59,7 @@ VtiText read_text(const FileRequest& request) {
     text.xml += "</VTKFile>";
     break;
   }
+  if (text.xml.empty()) throw Error(fmt::format("{}: not a VTK XML file: it is empty", request.name()));
   return text;
 }
 

@@ -52,6 +52,17 @@ TEST_F(Headers, AFileThatGoesOnBehindItsVoxelsIsNoted) {
   EXPECT_NE(note_of(write("h.nrrd", packed.content + gzip("x"))).find(more), std::string::npos);
 }
 
+TEST_F(Headers, WhatIsNoFileOfVoxelsIsSaid) {
+  for (const char* odd : {"/dev/zero", "."}) {
+    expect_error(write("a.nhdr", nrrd_head(fmt::format("data file: {}\n", odd))), {odd, "no ordinary file"});
+    expect_error(write("a.mhd", mha_head("5 4 3", odd)), {odd, "no ordinary file"});
+  }
+  expect_error(write("b.nhdr", nrrd_head("data file: none\n")), {"none", "not there"});
+  expect_error(write("a.vti", ""), {"empty"});
+  for (const char* content : {"", "II", "PK\3\4 and more"})
+    expect_error(write("a.tif", content), {"not a TIFF file"});
+}
+
 TEST_F(Headers, TheirLastLineNeedsNoEnd) {
   write("a.raw", voxels);
   EXPECT_EQ(load_volume(write("a.nhdr", nrrd_head("data file: a.raw"))).values[7], stored(7));
@@ -104,6 +115,16 @@ TEST_F(Headers, BytesOfAnMrcAreSignedAsItsRangeSays) {
   EXPECT_EQ(load_volume(file_of(0, 0, 0)).values[0], 200.f);  // not said: by the version
   EXPECT_EQ(load_volume(file_of(20140, 0, 0)).values[0], -56.f);
   EXPECT_NE(load_volume(file_of(20140, 0, 0)).note.find("int8"), std::string::npos);
+}
+
+TEST_F(Headers, AnMrcMayBeCompressed) {
+  const std::string content = mrc(int16, endian::little).content;
+  EXPECT_EQ(load_volume(write("a.map.gz", gzip(content))).values[7], float(stored_value(int16, 7)));
+  const std::string whole = gzip(content), cut = whole.substr(0, whole.size() - 12);
+  expect_error(write("b.mrc.gz", cut), {"b.mrc.gz", "ends early"});
+  std::string extended = with(content, 92, bytes_of({40}, int32));
+  extended.insert(1024, std::string(40, 'x'));
+  EXPECT_EQ(load_volume(write("c.mrc.gz", gzip(extended))).values[7], float(stored_value(int16, 7)));
 }
 
 TEST_F(Headers, AWrongMrcStampIsSeenInModeZeroToo) {

@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 #include <tiffio.h>
 
+#include <fstream>
+#include <iterator>
 #include <vector>
 
 #include "files.h"
@@ -120,6 +122,21 @@ TEST_F(TiffDescriptions, SmallerCopiesAndMasksAreLeftOut) {
   EXPECT_EQ(volume.grid.dims, glm::ivec3(4, 3, 2));
   EXPECT_EQ(volume.values[12], 100.f);
   EXPECT_NE(volume.note.find("2 pages left out"), std::string::npos) << volume.note;
+}
+
+TEST_F(TiffDescriptions, AFileThatWasCutOffIsRefused) {
+  std::string bytes;
+  {
+    std::ifstream stream(file("a.tif", "", pages(5)), std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(stream), {});
+  }
+  EXPECT_EQ(load_volume(write("b.tif", bytes)).grid.dims.z, 5);
+  for (std::size_t cut = 1; cut < bytes.size(); cut += 7) {
+    SCOPED_TRACE(cut);
+    error_of(write("b.tif", bytes.substr(0, bytes.size() - cut)));
+  }
+  for (const char* name : {"f/1.tif", "f/2.tif"}) write(name, bytes.substr(0, bytes.size() - 1));
+  expect_error(path("f"), {"1.tif", "page 5", "the file ends"});
 }
 
 TEST_F(TiffDescriptions, APageWithADepthIsRefused) {
