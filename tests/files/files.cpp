@@ -308,7 +308,7 @@ std::string dicom_element(unsigned group, unsigned number, const std::string& vr
   put16(group);
   put16(number);
   out += vr;
-  if (vr == "OW" || vr == "OB" || vr == "SQ") {
+  if (vr[0] == 'O' || vr == "SQ") {
     put16(0);
     append_value(out, double(value.size()), ScalarType::uint32, std::endian::little);
   } else {

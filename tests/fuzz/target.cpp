@@ -39,6 +39,7 @@ constexpr Target list[] = {
     {"png", read_png, png_seeds, 2000},
     {"pnm", read_pnm, pnm_seeds, 2000},
     {"dicom", read_dicom, dicom_seeds, 2000},
+    {"dicom_pixels", read_dicom_pixels, dicom_pixel_seeds, 2000},
 };
 
 bool is_word(char c) {
