@@ -37,6 +37,7 @@ void read_analyze(std::string_view input);
 void read_mrc(std::string_view input);
 void read_vtk_file(std::string_view input);
 void read_vti_file(std::string_view input);
+void read_pvti_file(std::string_view input);
 void read_npy(std::string_view input);
 void read_raw_sidecar(std::string_view input);  ///< the query in the first line, then the sidecar
 void read_tiff(std::string_view input);
@@ -53,6 +54,7 @@ std::vector<std::string> analyze_seeds();
 std::vector<std::string> mrc_seeds();
 std::vector<std::string> vtk_seeds();
 std::vector<std::string> vti_seeds();
+std::vector<std::string> pvti_seeds();
 std::vector<std::string> npy_seeds();
 std::vector<std::string> raw_seeds();
 std::vector<std::string> tiff_seeds();

@@ -169,6 +169,18 @@ std::vector<std::string> vti_seeds() {
               half + "</DataArray></PointData></Piece></ImageData></VTKFile>"};
 }
 
+std::vector<std::string> pvti_seeds() {
+  const std::string head =
+      "<VTKFile type=\"PImageData\"><PImageData WholeExtent=\"2 6 0 3 0 2\" GhostLevel=\"1\" "
+      "Spacing=\"1 2 3\"><PPointData Scalars=\"d\"><PDataArray type=\"Float32\" Name=\"d\"/></PPointData>";
+  const std::string tail = "</PImageData></VTKFile>";
+  return {head + "<Piece Extent=\"2 6 0 3 0 2\" Source=\"piece.vti\"/>" + tail,
+          head +
+              "<Piece Extent=\"2 4 0 3 0 2\" Source=\"piece.vti\"/><Piece Extent=\"4 6 0 3 0 2\" "
+              "Source=\"./piece.vti\"/>" +
+              tail};
+}
+
 std::vector<std::string> npy_seeds() {
   const auto npy = [](const std::string& dictionary, const std::string& data, bool second = false) {
     std::string head = "\x93NUMPY";

@@ -44,6 +44,10 @@ void read_analyze(std::string_view input) {
 void read_mrc(std::string_view input) { read_file<FileForm::mrc>("volume.mrc", input); }
 void read_vtk_file(std::string_view input) { read_file<FileForm::vtk>("volume.vtk", input); }
 void read_vti_file(std::string_view input) { read_file<FileForm::vti>("volume.vti", input); }
+void read_pvti_file(std::string_view input) {
+  write_scratch("piece.vti", vti_seeds().front());
+  read_file<FileForm::pvti>("volume.pvti", input);
+}
 void read_npy(std::string_view input) { read_file<FileForm::npy>("volume.npy", input); }
 
 void read_raw_sidecar(std::string_view input) {
