@@ -168,6 +168,7 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
     return map;
   };
   std::optional<VoxelStore> store;
+  Rounding lost;
   for (std::uint64_t k = 0; k < part.dims().z; ++k) {
     const DicomImage& slice = slices[part.first.z + k * part.stride.z];
     DicomPixels& pixels = file.of(slice, frames_of[slice.file]);
@@ -179,9 +180,11 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
     }
     if (is_alike && pixels.type() != volume.file_type)
       throw Error(fmt::format("{}: {}: it holds other pixels than it says", name, slice.file.string()));
-    put_slice(*store, part, k, bytes, pixels.type(), {slice.samples, component}, map_of(slice));
+    lost = joined(
+        lost, put_slice(*store, part, k, bytes, pixels.type(), {slice.samples, component}, map_of(slice)));
   }
   volume.values = store->take();
+  add_note(volume.note, rounding_note(lost, volume.file_type, map_of(first)));
   place_part(volume, part);
   return volume;
 }

@@ -148,6 +148,17 @@ TEST_F(DicomPixels, FloatingPointOnesHaveElementsOfTheirOwn) {
   expect_values(load_volume(write("d.dcm", file_of(stored))), float64, value);
 }
 
+TEST_F(DicomPixels, WhatIsRoundedCountsInAllFrames) {
+  const Stored stored{.allocated = 32, .stored = 32, .high = 31};
+  const auto value = [](int i) { return double(1 << 24) + i; };
+  const std::string file =
+      write("large.dcm", plain(stored, numbers(3 * per_frame, uint32, endian::little, value)));
+  const std::string note = load_volume(file).note;
+  EXPECT_NE(note.find("rounds 22 voxels by up to 1"), std::string::npos) << note;  // the odd ones
+  EXPECT_NE(note.find("?subtract=16777216 keeps"), std::string::npos) << note;
+  expect_values(load_volume(file + "?subtract=16777216"), uint32, [](int i) { return i; });
+}
+
 TEST_F(DicomPixels, PlanesOfSamples) {
   const Stored stored{.allocated = 8, .stored = 8, .high = 7, .samples = 3, .type = "OB"};
   const auto value = [](int i) { return i; };  // frame by frame, the red ones first
