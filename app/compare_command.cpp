@@ -67,6 +67,7 @@ ComparedPictures compare_exactly(const std::vector<Scene>& scenes, const Camera&
 
 void compare_modes(const CompareOptions& options) {
   const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
+  require_other_file(options.picture.output, options.scene.volume);
   require_output(options.picture);
   const auto loaded = options.scene.load();
   const Preset said = options.scene.read_preset();
@@ -109,6 +110,7 @@ void add_compare_command(Options app, Command& chosen) {
   command.add_example("crest compare builtin:plume --preset fire --step 0.25 -o fire.png --json");
   command.when_read([options, command, &chosen] {
     if (options->picture.is_to_stdout()) command.leave_out({"--json"});
+    options->scene.leave_out_unused(command);
     options->picture.check();
     chosen = [options] { compare_modes(*options); };
   });

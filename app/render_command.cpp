@@ -126,6 +126,7 @@ using SharedVolume = std::shared_ptr<const Volume>;
 /// What is wrong with the size, or with where the picture goes, is found before any work.
 SharedVolume read_volume(const RenderOptions& options) {
   options.picture.pixels();
+  require_other_file(options.picture.output, options.scene.volume);
   require_output(options.picture);
   if (!options.error_bound.empty()) require_picture_file(options.error_bound);
   return options.scene.load();
@@ -208,6 +209,7 @@ void yield_to_typed(const RenderOptions& options, Options command) {
   if (options.scene.is_preset_from_stdin() || !has_files) command.leave_out({"--watch"});
   command.prefer_typed("--auto", {"--step", "--engine", "--exact", "--error-bound", "--turntable"});
   command.prefer_typed("--turntable", {"--json", "--error-bound"});
+  options.scene.leave_out_unused(command);
   if (!options.automatic.is_on) command.leave_out({"--target-error", "--budget"});
 }
 

@@ -85,8 +85,12 @@ void SceneOptions::add_to(Options options) {
 }
 
 std::vector<std::string> SceneOptions::option_names() {
-  return {"--preset", "--mode", "--engine", "--illumination", "--step",      "--eye",
-          "--target", "--up",   "--fov",    "--projection",   "--fit-range", "--set"};
+  return {"--preset", "--frame", "--mode", "--engine",     "--illumination", "--step", "--eye",
+          "--target", "--up",    "--fov",  "--projection", "--fit-range",    "--set"};
+}
+
+void SceneOptions::leave_out_unused(const Options& options) const {
+  if (volume.empty() || volume.starts_with("builtin:")) options.leave_out({"--frame"});
 }
 
 bool SceneOptions::has_any() const {

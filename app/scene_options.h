@@ -22,6 +22,8 @@ struct SceneOptions {
 
   void add_to(Options options);
   static std::vector<std::string> option_names();
+  /// A frame that the config file sets is left out where the volume has none.
+  void leave_out_unused(const Options& options) const;
   /// Whether the preset is read from the standard input, which can be done once.
   bool is_preset_from_stdin() const { return preset == "-"; }
   bool has_any() const;  ///< whether anything but the volume was said

@@ -20,10 +20,12 @@ std::vector<std::filesystem::path> files_of(const std::string& source) {
   return found->list.empty() ? std::vector{found->path} : found->list;
 }
 
-void require_other_file(const std::filesystem::path& output, const std::filesystem::path& read) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(read, output, ignored))
-    throw UsageError("--output", output.string() + " is what is read, which would be lost");
+void require_other_file(const std::filesystem::path& output, const std::string& read, const char* option) {
+  for (const std::filesystem::path& file : files_of(read)) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(file, output, ignored))
+      throw UsageError(option, output.string() + " is what is read, which would be lost");
+  }
 }
 
 std::vector<std::string> builtin_sources() {

@@ -14,8 +14,10 @@ std::string absolute_source(const std::string& source);
 /// watched; none where it is built in.
 std::vector<std::filesystem::path> files_of(const std::string& source);
 
-/// Throws UsageError where a command's output is the file that it reads, which would be lost.
-void require_other_file(const std::filesystem::path& output, const std::filesystem::path& read);
+/// Throws UsageError where a command's output is a file of the volume or preset that it reads, which would be
+/// lost.
+void require_other_file(const std::filesystem::path& output, const std::string& read,
+                        const char* option = "--output");
 
 /// The built-in volumes as sources, and the names of the library's presets: what completions offer.
 std::vector<std::string> builtin_sources();

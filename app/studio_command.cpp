@@ -233,14 +233,16 @@ void add_studio(Options app, Command& chosen) {
   app.when_read([options, run, &chosen, app] {
     if (app.has_command()) return;
     take_preset_for_volume(options->scene);
+    options->scene.leave_out_unused(app);
     if (!options->scene.volume.empty()) expect_volume(app.table(), options->scene.volume);
     chosen = run;
   });
   Options command = app.add_command("window", "The studio; also without this word: crest [VOLUME]", "Look");
   command.add_example("crest head.nrrd --preset dirac-shell");
   add_studio_options(command, *options);
-  command.when_read([options, run, &chosen] {
+  command.when_read([options, run, command, &chosen] {
     take_preset_for_volume(options->scene);
+    options->scene.leave_out_unused(command);
     chosen = run;
   });
 }

@@ -202,6 +202,7 @@ void settle_with_config(ReportOptions& options, const Options& command) {
   if (!study || !study->takes_seed) command.leave_out({"--seed"});
   if (study && !study->takes_budget) command.leave_out({"--budget"});
   if (study && options.scene.volume.empty()) command.leave_out(SceneOptions::option_names());
+  options.scene.leave_out_unused(command);
   options.size_is_given = command.is_given("--size");
   options.budget_is_given = command.is_given("--budget");
   options.seed_is_given = command.is_given("--seed");

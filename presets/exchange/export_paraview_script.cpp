@@ -40,8 +40,8 @@ std::string reader_of(const std::optional<ExportVolume>& volume) {
 }
 
 bool is_read_by_paraview(const ExportVolume& volume) {
-  constexpr std::string_view known[] = {".nrrd", ".nhdr", ".mhd", ".mha",  ".vtk",
-                                        ".vti",  ".mrc",  ".tif", ".tiff", ".dcm"};
+  constexpr std::string_view known[] = {".nrrd", ".nhdr", ".mhd", ".mha",  ".vtk", ".vti",
+                                        ".pvti", ".mrc",  ".tif", ".tiff", ".dcm"};
   return volume.raw ||
          std::ranges::any_of(known, [&](auto extension) { return volume.file.ends_with(extension); });
 }

@@ -22,6 +22,7 @@ enum class FileForm {
   mrc,
   vtk,
   vti,
+  pvti,
   npy,
   dicom_file,
   dicom_series,
@@ -30,9 +31,9 @@ enum class FileForm {
   picture,
   picture_preset
 };
-inline constexpr std::array<std::string_view, 13> file_form_names{
-    "nrrd",       "metaimage",    "nifti",       "mrc",          "vtk",     "vti",           "npy",
-    "dicom_file", "dicom_series", "image_pages", "image_folder", "picture", "picture_preset"};
+inline constexpr std::array<std::string_view, 14> file_form_names{
+    "nrrd", "metaimage",  "nifti",        "mrc",         "vtk",          "vti",     "pvti",
+    "npy",  "dicom_file", "dicom_series", "image_pages", "image_folder", "picture", "picture_preset"};
 
 // GDCM brings some 20 libraries, and OpenImageIO 260, which take a fifth of a second to load. Each lies in a
 // module of its own (render/readers), as do the small libraries of TIFF, PNG and JPEG; it is loaded when it

@@ -1,7 +1,5 @@
 #include "render/readers/base64.h"
 
-#include <cstdint>
-
 namespace crest {
 namespace {
 
@@ -14,26 +12,36 @@ int value_of(char c) {
 
 }  // namespace
 
-std::vector<std::byte> decode_base64(std::string_view text, std::size_t count) {
-  constexpr int group = 4;
-  std::vector<std::byte> out;
-  out.reserve(count);
-  std::uint32_t bits = 0;
-  int taken = 0, padding = 0;
-  for (const char c : text) {
-    if (out.size() >= count) break;
-    if (c == ' ' || (c >= '\t' && c <= '\r')) continue;
-    const int value = value_of(c);
-    if (value < 0 && c != '=') break;
-    padding += value < 0;
-    bits = bits << 6 | std::uint32_t(value < 0 ? 0 : value);
-    if (++taken < group) continue;
-    for (int byte = 0; byte < 3 - padding && out.size() < count; ++byte)
-      out.push_back(std::byte(bits >> (16 - 8 * byte) & 0xff));
-    bits = 0;
-    taken = padding = 0;
+std::size_t Base64Reader::read(std::span<std::byte> out) {
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (left_ == 0 && !next_group()) return i;
+    out[i] = std::byte(bits_ >> 16 & 0xff);
+    bits_ <<= 8;
+    --left_;
   }
-  return out;
+  return out.size();
+}
+
+/// False where the text ends, or holds what is no such digit.
+bool Base64Reader::next_group() {
+  constexpr int digits = 4;
+  std::streambuf& text = *text_.rdbuf();
+  while (left_ == 0) {  // padding alone is a group, too
+    left_ = 3;
+    bits_ = 0;
+    for (int taken = 0; taken < digits;) {
+      const int next = text.sbumpc();
+      const char c = char(next);
+      if (c == ' ' || (c >= '\t' && c <= '\r')) continue;
+      const int value = value_of(c);
+      if (next == std::char_traits<char>::eof() || (value < 0 && c != '=')) return left_ = 0, false;
+      if (value < 0) --left_;
+      bits_ = bits_ << 6 | std::uint32_t(value < 0 ? 0 : value);
+      ++taken;
+    }
+    if (left_ < 0) left_ = 0;
+  }
+  return true;
 }
 
 }  // namespace crest

@@ -1,13 +1,26 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
-#include <vector>
+#include <cstdint>
+#include <istream>
+#include <span>
 
 namespace crest {
 
-/// The first `count` bytes that base64 text holds, or as many as there are. White space is passed over;
-/// padding within it ends a group of its own, since VTK joins several texts.
-std::vector<std::byte> decode_base64(std::string_view text, std::size_t count);
+/// The bytes that base64 text holds, as it goes on. White space is passed over; padding within it ends a
+/// group of its own, since VTK joins several texts.
+class Base64Reader {
+ public:
+  explicit Base64Reader(std::istream& text) : text_(text) {}
+  /// Fills `out` as far as the text goes, and returns how far.
+  std::size_t read(std::span<std::byte> out);
+
+ private:
+  bool next_group();
+
+  std::istream& text_;
+  std::uint32_t bits_ = 0;  ///< of the last group
+  int left_ = 0;            ///< bytes of it
+};
 
 }  // namespace crest

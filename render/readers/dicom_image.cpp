@@ -17,8 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using gdcm::Tag;
 
-const Tag pixel_data(0x7fe0, 0x0010);
-
 std::optional<glm::dvec3> vector_in(const gdcm::DataSet& set, Tag tag) {
   const auto v = dicom_numbers(set, tag);
   return v.size() == 3 ? std::optional(glm::dvec3(v[0], v[1], v[2])) : std::nullopt;
@@ -81,6 +79,8 @@ void take_group(const gdcm::DataSet& group, DicomImage& image) {
     add_mark("stack", dicom_text(item, Tag(0x0020, 0x9056)), image);
     add_mark("acquisition", text_of(dicom_binary(item, Tag(0x0020, 0x9156))), image);
   }
+  for (const auto& item : dicom_items(group, Tag(0x0062, 0x000a)))
+    add_mark("segment", text_of(dicom_binary(item, Tag(0x0062, 0x000b))), image);
   for (const auto& item : dicom_items(group, Tag(0x0018, 0x9114)))
     add_mark("echo time", text_of(dicom_binary(item, Tag(0x0018, 0x9082))), image);
   for (const auto& item : dicom_items(group, Tag(0x0018, 0x9117)))
@@ -101,14 +101,14 @@ void check_planes(const fs::path& file, const gdcm::DataSet& set) {
 
 /// GDCM would make up the frames that are missing. `bytes`: of pixels that are not compressed.
 void check_length(const fs::path& file, const DicomImage& image, std::size_t frames,
-                  std::optional<std::uint64_t> bytes) {
+                  std::uint64_t bytes) {
   const bool halved = image.photometric.ends_with("_422") && image.samples == 3;  // two colours of three
   const std::uint64_t samples = image.rows * image.columns * (halved ? 2 : image.samples) * frames;
   const std::uint64_t promised = (samples * image.bits + 7) / 8;
-  if (bytes && *bytes < promised)
+  if (bytes < promised)
     throw Error(fmt::format("{}: it promises {} frame{} of {}x{}, which are {} bytes of pixels, and has {}",
                             file.string(), frames, frames == 1 ? "" : "s", image.columns, image.rows,
-                            promised, *bytes));
+                            promised, bytes));
 }
 
 /// What holds for all of a file's frames.
@@ -124,7 +124,11 @@ DicomImage common_of(const fs::path& file, const gdcm::DataSet& set) {
   image.columns = std::uint64_t(dicom_binary(set, Tag(0x0028, 0x0011)).value_or(0));
   image.samples = std::uint64_t(dicom_binary(set, Tag(0x0028, 0x0002)).value_or(1));
   image.bits = std::uint64_t(dicom_binary(set, Tag(0x0028, 0x0100)).value_or(16));
+  image.bits_stored = std::uint64_t(dicom_binary(set, Tag(0x0028, 0x0101)).value_or(double(image.bits)));
+  image.high_bit =
+      std::uint64_t(dicom_binary(set, Tag(0x0028, 0x0102)).value_or(double(image.bits_stored) - 1));
   image.is_signed = dicom_binary(set, Tag(0x0028, 0x0103)).value_or(0) != 0;
+  image.has_planes = image.samples > 1 && dicom_binary(set, Tag(0x0028, 0x0006)).value_or(0) != 0;
   image.photometric = dicom_text(set, Tag(0x0028, 0x0004));
   image.position = vector_in(set, Tag(0x0020, 0x0032));
   image.number = dicom_number(set, Tag(0x0020, 0x0013));
@@ -177,15 +181,18 @@ std::vector<DicomImage> read_dicom_images(const fs::path& file) {
   constexpr std::size_t most_frames = std::size_t(1) << 20;
   const DicomStructure structure = read_dicom_structure(file);
   if (!structure.has_image) return {};
+  const Tag pixels(structure.pixel_tag);
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
-  with_gdcm(file.string(), [&] { return reader.ReadUpToTag(pixel_data); });
+  with_gdcm(file.string(), [&] { return reader.ReadUpToTag(pixels, {pixels}); });
   const gdcm::DataSet& set = reader.GetFile().GetDataSet();
   DicomImage common = common_of(file, set);
   const double said = dicom_number(set, Tag(0x0028, 0x0008)).value_or(1);
   const auto count = said >= 1 && said <= double(most_frames) ? std::size_t(said) : 1;
-  check_length(file, common, count, structure.pixel_bytes);
-  common.is_real = structure.has_real_pixels;
+  if (structure.pixels) {
+    check_length(file, common, count, structure.pixels->bytes);
+    common.is_real = structure.pixels->numbers != DicomNumbers::integers;
+  }
   for (const auto& group : dicom_items(set, Tag(0x5200, 0x9229))) take_group(group, common);
   std::vector<DicomImage> images = frames_of(set, common, count);
   const auto groups = dicom_items(set, Tag(0x5200, 0x9230));

@@ -23,10 +23,12 @@ struct DicomImage {
   std::size_t frame = 0;
   std::string series, instance, description, modality;
   std::uint64_t columns = 0, rows = 0, samples = 1;
-  std::uint64_t bits = 16;  ///< that a sample is stored in
+  std::uint64_t bits = 16;                        ///< that a sample is stored in
+  std::uint64_t bits_stored = 16, high_bit = 15;  ///< those of them that are the sample's
   bool is_signed = false;
-  bool is_real = false;                                  ///< its pixels are floating-point numbers
-  std::optional<glm::dvec3> position;                    ///< of the first pixel's centre, in mm
+  bool is_real = false;      ///< its pixels are floating-point numbers
+  bool has_planes = false;             ///< each frame, of the first samples, then of the second ones
+  std::optional<glm::dvec3> position;  ///< of the first pixel's centre, in mm
   std::optional<std::array<glm::dvec3, 2>> orientation;  ///< along rows (x) and along columns (y)
   std::optional<glm::dvec2> spacing;                     ///< in mm, x and y
   bool spacing_at_detector = false;                      ///< not in the patient
@@ -44,17 +46,5 @@ std::vector<DicomImage> read_dicom_images(const std::filesystem::path& file);
 
 /// The files that a DICOMDIR names, in its order.
 std::vector<std::filesystem::path> files_of_dicomdir(const std::filesystem::path& dicomdir);
-
-/// The decoded pixels of all frames of a file, one after another, samples of a pixel together, in the
-/// machine's byte order.
-struct DicomPixels {
-  ScalarType type = ScalarType::uint16;
-  std::vector<std::byte> bytes;
-};
-/// Stored values: nothing is inverted, scaled or coloured. Throws Error when they cannot be decoded, or are
-/// not `count` values.
-DicomPixels read_dicom_pixels(const std::filesystem::path& file, std::uint64_t count);
-/// The same of an image whose pixels are real, which GDCM does not take for one.
-DicomPixels read_dicom_reals(const std::filesystem::path& file, std::uint64_t count);
 
 }  // namespace crest

@@ -12,6 +12,7 @@
 #include "render/files/header_text.h"
 #include "render/files/kinds.h"
 #include "render/files/open_choice.h"
+#include "render/readers/dicom_pixels.h"
 #include "render/readers/dicom_stack.h"
 #include "render/readers/readers.h"
 #include "render/readers/select_one.h"
@@ -116,24 +117,19 @@ Names sample_names(const DicomImage& image) {
   return {};
 }
 
-/// The files' frames; a file is decoded when another one was asked for before.
-class Pixels {
+/// The pixels of the file that was asked for last.
+class OpenFile {
  public:
-  /// One slice's samples, `samples` of them, of a file with `frames`.
-  std::span<const std::byte> of(const DicomImage& slice, std::uint64_t frames, std::size_t samples) {
-    if (slice.file != file_) {
-      pixels_ = slice.is_real ? read_dicom_reals(slice.file, samples * frames)
-                              : read_dicom_pixels(slice.file, samples * frames);
-    }
+  /// Of a file with so many frames.
+  DicomPixels& of(const DicomImage& slice, std::size_t frames) {
+    if (!pixels_ || slice.file != file_) pixels_ = open_dicom_pixels(slice, frames);
     file_ = slice.file;
-    const std::size_t bytes = samples * size_of(pixels_.type);
-    return std::span(pixels_.bytes).subspan(slice.frame * bytes, bytes);
+    return *pixels_;
   }
-  ScalarType type() const { return pixels_.type; }
 
  private:
   fs::path file_;
-  DicomPixels pixels_;
+  std::unique_ptr<DicomPixels> pixels_;
 };
 
 /// Whether one type and one map are those of all values.
@@ -144,17 +140,9 @@ bool are_stored_alike(const Images& slices) {
   });
 }
 
-/// What a slice is decoded to, and the files' frames that are decoded with it.
-MemoryNeed need_of(const Images& slices, const GridPart& part, std::uint64_t frames) {
-  const DicomImage& first = slices.front();
-  const std::uint64_t file = first.columns * first.rows * first.samples * sizeof(double) * frames;
-  const bool keeps = first.bits <= 16 && are_stored_alike(slices);
-  return {part, keeps ? (first.bits + 7) / 8 : sizeof(float), file};
-}
-
 Volume read_images(const FileRequest& request, Images images, std::string note) {
   const std::string name = request.name();
-  std::map<fs::path, std::uint64_t> frames_of;
+  std::map<fs::path, std::size_t> frames_of;
   for (const DicomImage& image : images) ++frames_of[image.file];
   const DicomStack stack = stack_dicom(name, std::move(images));
   add_note(note, stack.note);
@@ -168,7 +156,12 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   const glm::u64vec3 dims(first.columns, first.rows, slices.size());
   if (dims.z < 2) throw Error(fmt::format("{}: one DICOM slice: open the folder with its series", name));
   const GridPart part = request.part_of(dims);
-  request.require_memory(need_of(slices, part, frames_of[first.file]));
+  const bool is_alike = are_stored_alike(slices);
+  OpenFile file;
+  const std::uint64_t stored = (first.bits + 7) / 8;
+  request.reading_also(dims.x * dims.y * first.samples * sizeof(double) * part.dims().z)
+      .require_memory({part, first.bits <= 16 && is_alike ? stored : sizeof(float),
+                       file.of(first, frames_of[first.file]).held_bytes()});
 
   const DicomGeometry geometry = geometry_of(slices);
   volume.grid = {glm::ivec3(dims), geometry.spacing, geometry.origin};
@@ -183,22 +176,24 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
     map.intercept += subtraction.intercept;
     return map;
   };
-  const bool is_alike = are_stored_alike(slices);
-  Pixels pixels;
   std::optional<VoxelStore> store;
+  Rounding lost;
   for (std::uint64_t k = 0; k < part.dims().z; ++k) {
     const DicomImage& slice = slices[part.first.z + k * part.stride.z];
-    const auto bytes = pixels.of(slice, frames_of[slice.file], dims.x * dims.y * slice.samples);
+    DicomPixels& pixels = file.of(slice, frames_of[slice.file]);
+    const auto bytes = pixels.frame(slice.frame);
     if (!store) {
       volume.file_type = pixels.type();
       store.emplace(volume.file_type, part.point_count(),
-                    is_alike ? std::optional(map_of(slice)) : std::nullopt);
+                    is_alike ? std::optional(map_of(first)) : std::nullopt);
     }
     if (is_alike && pixels.type() != volume.file_type)
       throw Error(fmt::format("{}: {}: it holds other pixels than it says", name, slice.file.string()));
-    put_slice(*store, part, k, bytes, pixels.type(), {slice.samples, component}, map_of(slice));
+    lost = joined(
+        lost, put_slice(*store, part, k, bytes, pixels.type(), {slice.samples, component}, map_of(slice)));
   }
   volume.values = store->take();
+  add_note(volume.note, rounding_note(lost, volume.file_type, map_of(first)));
   place_part(volume, part);
   return volume;
 }

@@ -154,8 +154,25 @@ void part_by_numbers(const std::string& name, Images sorted, const std::vector<s
   add_note(stack.note, "its places repeat, and their images are told apart by their numbers alone");
 }
 
+void take_parts(const Parts& parts, DicomStack& stack) {
+  for (const auto& [key, part] : parts) {
+    stack.frame_names.push_back(key);
+    stack.frames.push_back(part);
+  }
+}
+
+/// Segments (PS3.3, C.8.20) have the slices that they show in, which another one may lack.
+bool take_segments(const Images& sorted, DicomStack& stack) {
+  if (mark_of(sorted.front(), "segment").empty()) return false;
+  const Parts parts = parted_by(sorted, {"segment"});
+  if (!places_are_unique(parts)) return false;
+  take_parts(parts, stack);
+  return true;
+}
+
 void stack_by_position(const std::string& name, Images images, DicomStack& stack) {
   std::ranges::stable_sort(images, {}, height);
+  if (take_segments(images, stack)) return;
   const std::vector<std::size_t> begins = places_of(images);
   std::size_t most = 0;
   for (std::size_t p = 0; p < begins.size(); ++p)
@@ -166,10 +183,7 @@ void stack_by_position(const std::string& name, Images images, DicomStack& stack
   }
   const auto parts = part_by_marks(images, most);
   if (!parts) return part_by_numbers(name, std::move(images), begins, most, stack);
-  for (const auto& [key, part] : *parts) {
-    stack.frame_names.push_back(key);
-    stack.frames.push_back(part);
-  }
+  take_parts(*parts, stack);
 }
 
 /// Without positions: by the numbers where each has its own, else by the files' names.

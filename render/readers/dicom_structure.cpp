@@ -19,13 +19,15 @@ namespace fs = std::filesystem;
 
 constexpr std::uint32_t undefined_length = 0xffffffff;
 constexpr std::uint32_t item = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd;
-constexpr std::uint32_t transfer_syntax = 0x00020010, rows = 0x00280010, pixels = 0x7fe00010,
-                        float_pixels = 0x7fe00008, double_pixels = 0x7fe00009;
+constexpr std::uint32_t transfer_syntax = 0x00020010, rows = 0x00280010, bits_allocated = 0x00280100,
+                        pixels = 0x7fe00010, float_pixels = 0x7fe00008, double_pixels = 0x7fe00009;
 constexpr std::size_t preamble = 128;
 
 /// PS3.5, section 7: how an element's tag and length are written.
 struct Coding {
   bool explicit_type = true, big_endian = false;
+  bool big_endian_pixels = false;  ///< as of 16-bit words, or of what is longer
+  bool compresses = false, has_run_lengths = false;
 };
 
 struct Element {
@@ -50,8 +52,7 @@ constexpr Limits image_limits[] = {
     {0x00280002, 1, 3, 2},   // samples per pixel
     {rows, 1, 65535},        //
     {0x00280011, 1, 65535},  // columns
-    {0x00280100, 8, 64, 8},  // bits allocated, stored, and the highest one
-    {0x00280101, 1, 64},     //
+    {0x00280101, 1, 64},     // bits stored, and the highest one
     {0x00280102, 0, 63},     //
     {0x00280103, 0, 1},      // signed
 };
@@ -59,7 +60,7 @@ constexpr Limits image_limits[] = {
 class Walker {
  public:
   explicit Walker(const fs::path& path)
-      : name_(path.string()), file_(path, std::ios::binary), left_(fs::file_size(path)) {}
+      : name_(path.string()), file_(path, std::ios::binary), size_(fs::file_size(path)), left_(size_) {}
 
   std::string take(std::uint64_t count) {
     require(count);
@@ -87,6 +88,7 @@ class Walker {
     throw Error(fmt::format("{}: the DICOM file is damaged: {}", name_, how));
   }
   bool at_end() const { return left_ == 0; }
+  std::uint64_t place() const { return size_ - left_; }
   /// The next element's group, of group 2 or of another, read in group 2's coding.
   std::uint64_t peek_group() {
     const std::uint64_t group = number(2, {});
@@ -109,20 +111,25 @@ class Walker {
     return {tag, std::uint32_t(number(4, coding)), type};
   }
 
-  /// Past the items of a sequence, or the fragments of compressed pixels, that says no length.
-  void skip_sequence(Coding coding, int depth = 0) {
+  /// Past the items of a sequence, or the fragments of compressed pixels, that says no length. How many.
+  std::size_t skip_sequence(Coding coding, int depth = 0) {
     constexpr int deepest = 32;
     if (depth > deepest) throw_damaged("its sequences are nested too deeply");
-    for (Element part = next(coding); part.tag != sequence_end; part = next(coding)) {
+    std::size_t items = 0;
+    for (Element part = next(coding); part.tag != sequence_end; part = next(coding), ++items) {
       if (part.tag != item) throw_damaged("a sequence holds what is no item");
       if (part.length != undefined_length) {
         skip(part.length);
         continue;
       }
       for (Element inner = next(coding); inner.tag != item_end; inner = next(coding)) {
-        inner.length == undefined_length ? skip_sequence(coding, depth + 1) : skip(inner.length);
+        if (inner.length == undefined_length)
+          skip_sequence(coding, depth + 1);
+        else
+          skip(inner.length);
       }
     }
+    return items;
   }
 
  private:
@@ -135,19 +142,23 @@ class Walker {
 
   std::string name_;
   std::ifstream file_;
-  std::uint64_t left_;
+  std::uint64_t size_, left_;
 };
 
+/// PS3.5, section 10 and annex A; the last one is GE's, of which only the pixels are big-endian.
 Coding coding_of(const std::string& name, std::string syntax) {
   while (!syntax.empty() && (syntax.back() == '\0' || syntax.back() == ' ')) syntax.pop_back();
   if (syntax == "1.2.840.10008.1.2.1.99") {
     throw Error(
-        fmt::format("{}: DICOM with a deflated data set is not read: dcmconv of DCMTK writes "
-                    "another",
-                    name));
+        fmt::format("{}: DICOM with a deflated data set is not read; this writes one that is: "
+                    "dcmconv +te {} NEW.dcm",
+                    name, name));
   }
-  const bool implicit = syntax == "1.2.840.10008.1.2" || syntax == "1.2.840.113619.5.2";
-  return {!implicit, syntax == "1.2.840.10008.1.2.2"};
+  if (syntax == "1.2.840.10008.1.2") return {.explicit_type = false};
+  if (syntax == "1.2.840.10008.1.2.1") return {};
+  if (syntax == "1.2.840.10008.1.2.2") return {.big_endian = true, .big_endian_pixels = true};
+  if (syntax == "1.2.840.113619.5.2") return {.explicit_type = false, .big_endian_pixels = true};
+  return {.compresses = true, .has_run_lengths = syntax == "1.2.840.10008.1.2.5"};
 }
 
 std::string tag_text(std::uint32_t tag) { return fmt::format("({:04x},{:04x})", tag >> 16, tag & 0xffff); }
@@ -163,6 +174,26 @@ bool check_number(Walker& walker, const Element& element, Coding coding) {
                                      limits->min, limits->max, limits->step));
   }
   return true;
+}
+
+void check_bits_allocated(Walker& walker, const Element& element, Coding coding) {
+  const std::uint64_t bits = element.length == 2 ? walker.number(2, coding) : 0;
+  if (bits != 1 && (bits == 0 || bits > 64 || bits % 8 != 0))
+    walker.throw_damaged(
+        fmt::format("{} is {}, and not 1, or one of 8 to 64 by 8", tag_text(element.tag), bits));
+}
+
+/// Bytes count by 16-bit words where they are said to be such, as the first pixel of two is a word's low
+/// half.
+DicomPlace place_of(const Walker& walker, const Element& element, Coding coding) {
+  DicomPlace place{walker.place(), element.length};
+  if (element.tag == float_pixels) place.numbers = DicomNumbers::float32;
+  if (element.tag == double_pixels) place.numbers = DicomNumbers::float64;
+  if (!coding.big_endian_pixels || element.type == "OB") return place;
+  place.swapped = element.tag == float_pixels    ? sizeof(float)
+                  : element.tag == double_pixels ? sizeof(double)
+                                                 : 2;
+  return place;
 }
 
 }  // namespace
@@ -183,6 +214,10 @@ DicomStructure read_dicom_structure(const fs::path& path) {
     const Element element = walker.next(coding);
     if (element.tag <= last_tag) walker.throw_damaged("its elements are out of order");
     last_tag = element.tag;
+    if (element.tag == bits_allocated) {
+      check_bits_allocated(walker, element, coding);
+      continue;
+    }
     if (check_number(walker, element, coding)) {
       has_rows = has_rows || element.tag == rows;
       continue;
@@ -198,10 +233,14 @@ DicomStructure read_dicom_structure(const fs::path& path) {
     }
     if (element.tag == pixels || element.tag == float_pixels || element.tag == double_pixels) {
       has_pixels = true;
-      structure.has_real_pixels = element.tag != pixels;
-      if (element.length != undefined_length) structure.pixel_bytes = element.length;
+      structure.pixel_tag = element.tag;
+      structure.is_run_lengths = coding.has_run_lengths;
+      if (element.length != undefined_length && !coding.compresses)
+        structure.pixels = place_of(walker, element, coding);
     }
-    element.length == undefined_length ? walker.skip_sequence(coding) : walker.skip(element.length);
+    const bool is_sequence = element.length == undefined_length;
+    const std::size_t items = is_sequence ? walker.skip_sequence(coding) : (walker.skip(element.length), 0);
+    if (element.tag == pixels && items > 0) structure.fragments = items - 1;  // the first is a table
   }
   if (has_rows && !has_pixels) throw Error(fmt::format("{}: truncated: the DICOM file has no pixels", name));
   structure.has_image = has_rows && has_pixels;

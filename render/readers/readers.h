@@ -12,6 +12,7 @@ namespace crest {
 Volume read_voxel_file(FileForm form, const FileRequest& request);
 Volume read_vtk(const FileRequest& request);
 Volume read_vti(const FileRequest& request);
+Volume read_pvti(const FileRequest& request);  ///< pieces in files of their own, named in this one
 Volume read_dicom_file(const FileRequest& request);
 Volume read_dicom_series(const FileRequest& request);  ///< of the folder's DICOM files
 Volume read_image_pages(const FileRequest& request);   ///< of one file

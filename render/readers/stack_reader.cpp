@@ -96,7 +96,7 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
   const LinearMap map = subtracted(request, scaling, volume.note);
   VoxelStore store(first.type, part.point_count(), map);
   std::vector<std::byte> bytes(first.bytes());
-  std::string rounding;
+  Rounding lost;
   fs::path opened = stack.pages.front().file;
   for (std::uint64_t k = 0; k < part.dims().z; ++k) {
     const Page& page = stack.pages[part.first.z + k * part.stride.z];
@@ -104,14 +104,10 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
     opened = page.file;
     require_alike(page, file->format(page.number), first);
     file->read(page.number, bytes);
-    put_slice(store, part, k, bytes, first.type, {first.channels, stack.channel}, map);
-    if (!rounding.empty() || !may_round(first.type, map)) continue;
-    const auto samples = std::span<const std::byte>(bytes).subspan(stack.channel * size_of(first.type));
-    const Rounding lost = rounding_of(samples, first.type, dims.x * dims.y, first.channels, map);
-    rounding = rounding_note(lost, first.type, map);
+    lost = joined(lost, put_slice(store, part, k, bytes, first.type, {first.channels, stack.channel}, map));
   }
   volume.values = store.take();
-  if (!rounding.empty()) add_note(volume.note, fmt::format("of its images some: {}", rounding));
+  add_note(volume.note, rounding_note(lost, first.type, map));
   place_part(volume, part);
   return volume;
 }

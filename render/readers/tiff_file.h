@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "render/volume/voxels.h"
+#include "render/readers/page_file.h"
 
 namespace crest {
 
@@ -17,6 +19,18 @@ struct TiffDescription {
   std::vector<std::size_t> whole_pages;  ///< neither smaller copies of others nor masks
 };
 TiffDescription describe_tiff(const std::filesystem::path& file);
+
+/// Images that lie behind each other, of which the file's one page describes the first.
+struct TiffStack {
+  std::size_t images = 1;   ///< as ImageJ's description tells
+  std::uint64_t begin = 0;  ///< bytes before them
+  std::endian endian = std::endian::little;
+};
+/// These as pages. `first`, where the file has no more than one. Throws Error where it lacks some.
+std::unique_ptr<PageFile> open_imagej_stack(const std::filesystem::path& file,
+                                            std::unique_ptr<PageFile> first, const TiffStack& stack);
+/// `images=` of such a description, or 1.
+std::size_t imagej_images(const std::string& description);
 
 /// How the pages of a file follow each other: which page holds a slice of a component in a frame.
 struct PlaneOrder {

@@ -172,6 +172,20 @@ class TiffFile : public PageFile {
     return pages_;
   }
 
+  /// Where the first page, the only one, may have others behind its pixels.
+  std::optional<TiffStack> stack() {
+    const Page page = go_to(0);
+    const char* text = nullptr;
+    const bool has_text = TIFFGetField(tiff_.get(), TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text;
+    const std::size_t images = has_text ? imagej_images(text) : 1;
+    const auto type = type_of(page);
+    const bool is_plain = page.compression == COMPRESSION_NONE && type && page.bits == 8 * size_of(*type) &&
+                          page.planar == PLANARCONFIG_CONTIG && TIFFIsTiled(tiff_.get()) == 0;
+    if (images < 2 || !is_plain || pages() > 1) return std::nullopt;
+    return TiffStack{images, TIFFGetStrileOffset(tiff_.get(), 0),
+                     TIFFIsBigEndian(tiff_.get()) != 0 ? std::endian::big : std::endian::little};
+  }
+
   PageFormat format(std::size_t number) override {
     const Page page = go_to(number);
     const auto type = type_of(page);
@@ -279,7 +293,11 @@ class TiffFile : public PageFile {
 
 }  // namespace
 
-std::unique_ptr<PageFile> open_tiff(const fs::path& file) { return std::make_unique<TiffFile>(file); }
+std::unique_ptr<PageFile> open_tiff(const fs::path& file) {
+  auto pages = std::make_unique<TiffFile>(file);
+  const auto stack = pages->stack();
+  return stack ? open_imagej_stack(file, std::move(pages), *stack) : std::move(pages);
+}
 
 TiffDescription describe_tiff(const fs::path& file) {
   std::string fault;

@@ -30,10 +30,10 @@ void take_only_axis_as_slices(PlaneOrder& order, std::string_view components, st
   order.components = order.frames = 1;
 }
 
-using Fields = std::map<std::string, std::string, std::less<>>;
+using ImageJFields = std::map<std::string, std::string, std::less<>>;
 
 /// ImageJ's values are a function of the stored ones, "cf": signed ones are kept so, as c0=-32768 and c1=1.
-void take_calibration(const Fields& fields, PlaneOrder& order) {
+void take_calibration(const ImageJFields& fields, PlaneOrder& order) {
   constexpr std::int64_t straight_line = 0, none = 20;
   const auto number = [&](const char* key) {
     const auto found = fields.find(key);
@@ -47,9 +47,9 @@ void take_calibration(const Fields& fields, PlaneOrder& order) {
     add_note(order.note, "ImageJ's calibration of its values is not applied: it is no straight line");
 }
 
-PlaneOrder order_imagej(const std::string& name, const TiffDescription& description, std::size_t pages) {
-  Fields fields;
-  const std::string text = description.text + "\n";
+ImageJFields imagej_fields(const std::string& description) {
+  ImageJFields fields;
+  const std::string text = description + "\n";
   HeaderLines lines(text);
   std::string_view line;
   while (lines.next(line)) {
@@ -57,13 +57,21 @@ PlaneOrder order_imagej(const std::string& name, const TiffDescription& descript
     if (equals != std::string_view::npos)
       fields.emplace(trim(line.substr(0, equals)), trim(line.substr(equals + 1)));
   }
-  const auto count = [&](const char* key) {
-    const auto found = fields.find(key);
-    const auto value = found == fields.end() ? std::nullopt : to_integer(found->second);
-    return value && *value > 0 && *value < (1 << 24) ? std::size_t(*value) : 1;
-  };
+  return fields;
+}
+
+/// 1 where it says no such number.
+std::size_t count_of(const ImageJFields& fields, const char* key) {
+  const auto found = fields.find(key);
+  const auto value = found == fields.end() ? std::nullopt : to_integer(found->second);
+  return value && *value > 0 && *value < (1 << 24) ? std::size_t(*value) : 1;
+}
+
+PlaneOrder order_imagej(const std::string& name, const TiffDescription& description, std::size_t pages) {
+  const ImageJFields fields = imagej_fields(description.text);
   PlaneOrder order;
-  order.components = count("channels"), order.slices = count("slices"), order.frames = count("frames");
+  order.components = count_of(fields, "channels"), order.slices = count_of(fields, "slices");
+  order.frames = count_of(fields, "frames");
   const auto slices = checked_product(order.components, order.slices);
   const auto planes = slices ? checked_product(*slices, order.frames) : std::nullopt;
   if (planes == 1)
@@ -82,10 +90,10 @@ PlaneOrder order_imagej(const std::string& name, const TiffDescription& descript
   const auto spacing = fields.find("spacing");
   const auto z = spacing == fields.end() ? std::nullopt : to_number(spacing->second);
   const double x = description.pixels_per_unit_x, y = description.pixels_per_unit_y;
-  const bool has_unit = fields.contains("unit") && fields["unit"] != "pixel";
+  const bool has_unit = fields.contains("unit") && fields.at("unit") != "pixel";
   if (z || has_unit) {
     order.spacing = {x > 0 && has_unit ? 1 / x : 1, y > 0 && has_unit ? 1 / y : 1, z ? std::abs(*z) : 1};
-    if (has_unit) add_note(order.note, fmt::format("lengths in {}", one_line(fields["unit"])));
+    if (has_unit) add_note(order.note, fmt::format("lengths in {}", one_line(fields.at("unit"))));
   }
   take_calibration(fields, order);
   take_only_axis_as_slices(order, "channels", "frames");
@@ -245,6 +253,10 @@ PlaneOrder order_shaped(const std::string& text, std::size_t pages) {
 }
 
 }  // namespace
+
+std::size_t imagej_images(const std::string& description) {
+  return description.starts_with("ImageJ=") ? count_of(imagej_fields(description), "images") : 1;
+}
 
 PlaneOrder order_planes(const std::string& name, const TiffDescription& description, std::size_t pages) {
   if (description.text.starts_with("ImageJ=")) return order_imagej(name, description, pages);

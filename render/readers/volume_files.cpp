@@ -22,6 +22,8 @@ Volume read_voxel_file(FileForm form, const FileRequest& request) {
       return read_vtk(request);
     case FileForm::vti:
       return read_vti(request);
+    case FileForm::pvti:
+      return read_pvti(request);
     default:
       throw Error(request.name() + ": not a file of voxels");
   }

@@ -17,7 +17,7 @@ class ByteStream {
   /// Fills `out` with those from `first` on, which is no less than where the last call ended.
   virtual void read(std::uint64_t first, std::span<std::byte> out) = 0;
   /// Checks what was not asked for. Whether the file goes on behind its voxels.
-  virtual bool finish() = 0;
+  virtual bool finish() { return false; }
 };
 
 /// The stored values that a header tells of, as they are asked for: in the byte order that the file has them

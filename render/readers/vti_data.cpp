@@ -5,117 +5,184 @@
 #include <fmt/core.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <fstream>
-#include <functional>
 
 #include "presets/error.h"
 #include "render/readers/base64.h"
 #include "render/readers/binary_fields.h"
+#include "render/volume/convert.h"
 
 namespace crest {
 namespace {
 
-/// The bytes [0, count) from the array's begin on, or as many as there are.
-using Begin = std::function<std::vector<std::byte>(std::uint64_t count)>;
-
-[[noreturn]] void throw_length(const std::string& name, std::uint64_t held, std::uint64_t promised) {
-  throw Error(fmt::format("{}: its extent promises {} bytes of the array, and the array has {}", name,
-                          promised, held));
-}
-
-std::uint64_t length_at(const std::vector<std::byte>& bytes, std::size_t i, const VtiCoding& coding) {
-  const BinaryFields fields{{reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                            coding.endian != std::endian::native};
-  const std::size_t offset = i * coding.header_bytes;
-  return coding.header_bytes == 8 ? fields.at<std::uint64_t>(offset) : fields.at<std::uint32_t>(offset);
-}
-
-std::vector<std::byte> at_least(const std::string& name, const Begin& begin, std::uint64_t count) {
-  std::vector<std::byte> bytes = begin(count);
-  if (bytes.size() < count)
-    throw Error(fmt::format("{}: the array ends after {} of {} bytes", name, bytes.size(), count));
-  return bytes;
-}
-
-std::vector<std::byte> inflate_blocks(const std::string& name, const Begin& begin, const VtiCoding& coding,
-                                      std::uint64_t promised) {
-  constexpr std::uint64_t most_blocks = std::uint64_t(1) << 32;
-  const std::size_t word = coding.header_bytes;
-  const std::uint64_t blocks = length_at(at_least(name, begin, word), 0, coding);
-  if (blocks == 0 || blocks > most_blocks || blocks > promised) throw_length(name, 0, promised);
-  const std::vector<std::byte> header = at_least(name, begin, (3 + blocks) * word);
-  const std::uint64_t block = length_at(header, 1, coding), last = length_at(header, 2, coding);
-  const bool fits = block > 0 && last <= block && blocks == (promised - 1) / block + 1;  // so none overflows
-  const std::uint64_t held = fits ? (blocks - 1) * block + (last > 0 ? last : block) : 0;
-  if (!fits || held != promised) throw_length(name, held, promised);
-  std::uint64_t packed = 0;
-  for (std::uint64_t i = 0; i < blocks; ++i) {
-    const std::uint64_t length = length_at(header, 3 + i, coding);
-    if (length > compressBound(std::min(block, promised)))
-      throw Error(fmt::format("{}: the array's compressed data is damaged", name));
-    packed += length;
+class RawBytes : public VtiBytes {
+ public:
+  RawBytes(const std::filesystem::path& path, std::uint64_t offset)
+      : left_(std::filesystem::file_size(path)), file_(path, std::ios::binary) {
+    skip(offset);
   }
-  const std::vector<std::byte> all = at_least(name, begin, header.size() + packed);
-  std::vector<std::byte> out(promised);
-  std::uint64_t from = header.size();
-  for (std::uint64_t i = 0; i < blocks; ++i) {
-    const std::uint64_t length = length_at(header, 3 + i, coding),
-                        want = std::min(block, promised - i * block);
-    uLongf got = want;
-    const int result = uncompress(reinterpret_cast<Bytef*>(out.data() + i * block), &got,
-                                  reinterpret_cast<const Bytef*>(all.data() + from), length);
-    if (result != Z_OK || got != want)
-      throw Error(
-          fmt::format("{}: the array's compressed data is damaged in block {} of {}", name, i + 1, blocks));
-    from += length;
+  std::size_t read(std::span<std::byte> out) override {
+    file_.read(reinterpret_cast<char*>(out.data()),
+               std::streamsize(std::min<std::uint64_t>(out.size(), left_)));
+    left_ -= std::uint64_t(file_.gcount());
+    return std::size_t(file_.gcount());
   }
-  return out;
+  void skip(std::uint64_t count) override {
+    const std::uint64_t over = std::min(count, left_);
+    if (over == 0) return;  // or what is buffered would be read again
+    file_.seekg(std::streamoff(over), std::ios::cur);
+    left_ -= over;
+  }
+
+ private:
+  std::uint64_t left_;
+  std::ifstream file_;
+};
+
+class Base64Bytes : public VtiBytes {
+ public:
+  explicit Base64Bytes(std::unique_ptr<std::istream> text) : text_(std::move(text)), reader_(*text_) {}
+  std::size_t read(std::span<std::byte> out) override { return reader_.read(out); }
+  void skip(std::uint64_t count) override {
+    std::byte over[4096];
+    while (count > 0) {
+      const std::size_t part = std::min<std::uint64_t>(count, sizeof over);
+      if (reader_.read(std::span(over).first(part)) < part) return;
+      count -= part;
+    }
+  }
+
+ private:
+  std::unique_ptr<std::istream> text_;
+  Base64Reader reader_;
+};
+
+/// What both kinds of arrays have.
+struct VtiArray {
+  std::string name;
+  std::unique_ptr<VtiBytes> bytes;
+  VtiCoding coding;
+  ScalarType type = ScalarType::float32;
+  std::uint64_t promised = 0;
+};
+
+[[noreturn]] void throw_length(const VtiArray& array, std::uint64_t held) {
+  throw Error(fmt::format("{}: its extent promises {} bytes of the array, and the array has {}", array.name,
+                          array.promised, held));
 }
 
-std::vector<std::byte> read_array(const std::string& name, const Begin& begin, const VtiCoding& coding,
-                                  std::uint64_t promised) {
-  if (coding.compressed) return inflate_blocks(name, begin, coding, promised);
-  const std::uint64_t held = length_at(at_least(name, begin, coding.header_bytes), 0, coding);
-  if (held != promised) throw_length(name, held, promised);
-  std::vector<std::byte> bytes = at_least(name, begin, coding.header_bytes + promised);
-  bytes.erase(bytes.begin(), bytes.begin() + std::ptrdiff_t(coding.header_bytes));
-  return bytes;
+void fill(const VtiArray& array, std::span<std::byte> out, const char* what) {
+  if (const std::size_t got = array.bytes->read(out); got < out.size())
+    throw Error(fmt::format("{}: the array ends after {} of {} bytes{}", array.name, got, out.size(), what));
 }
 
-std::vector<std::byte> bytes_at(const std::filesystem::path& path, std::uint64_t offset,
-                                std::uint64_t count) {
-  const std::uint64_t size = std::filesystem::file_size(path);
-  std::vector<std::byte> bytes(std::min(count, size > offset ? size - offset : 0));
-  std::ifstream file(path, std::ios::binary);
-  file.seekg(std::streamoff(offset));
-  file.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size()));
-  bytes.resize(std::size_t(file.gcount()));
-  return bytes;
+/// The next numbers of what says the array's lengths. No more is taken than the file has.
+std::vector<std::uint64_t> take_lengths(const VtiArray& array, std::uint64_t count) {
+  const std::size_t word = array.coding.header_bytes;
+  std::vector<std::uint64_t> lengths;
+  char bytes[8];
+  const BinaryFields fields{{bytes, word}, array.coding.endian != std::endian::native};
+  for (std::uint64_t i = 0; i < count; ++i) {
+    fill(array, std::as_writable_bytes(std::span(bytes, word)), " of its lengths");
+    lengths.push_back(word == 8 ? fields.at<std::uint64_t>(0) : fields.at<std::uint32_t>(0));
+  }
+  return lengths;
 }
+
+void to_machine_order(const VtiArray& array, std::span<std::byte> bytes) {
+  if (array.coding.endian != std::endian::native) swap_bytes(bytes, size_of(array.type));
+}
+
+class PlainArray : public ByteStream {
+ public:
+  explicit PlainArray(VtiArray array) : array_(std::move(array)) {
+    const std::uint64_t held = take_lengths(array_, 1)[0];
+    if (held != array_.promised) throw_length(array_, held);
+  }
+  void read(std::uint64_t first, std::span<std::byte> out) override {
+    array_.bytes->skip(first - at_);
+    at_ = first;
+    const std::size_t got = array_.bytes->read(out);
+    at_ += got;
+    if (got < out.size())
+      throw Error(fmt::format("{}: the array ends after {} of {} bytes", array_.name, at_, array_.promised));
+    to_machine_order(array_, out);
+  }
+
+ private:
+  VtiArray array_;
+  std::uint64_t at_ = 0;
+};
+
+class BlockArray : public ByteStream {
+ public:
+  explicit BlockArray(VtiArray array) : array_(std::move(array)) {
+    constexpr std::uint64_t most_blocks = std::uint64_t(1) << 32;
+    const std::uint64_t promised = array_.promised, blocks = take_lengths(array_, 1)[0];
+    if (blocks == 0 || blocks > most_blocks || blocks > promised) throw_length(array_, 0);
+    const auto sizes = take_lengths(array_, 2);
+    const std::uint64_t last = sizes[1];
+    block_bytes_ = sizes[0];
+    const bool fits =  // so none overflows
+        block_bytes_ > 0 && last <= block_bytes_ && blocks == (promised - 1) / block_bytes_ + 1;
+    const std::uint64_t held = fits ? (blocks - 1) * block_bytes_ + (last > 0 ? last : block_bytes_) : 0;
+    if (!fits || held != promised) throw_length(array_, held);
+    packed_ = take_lengths(array_, blocks);
+    for (const std::uint64_t length : packed_)
+      if (length > compressBound(std::min(block_bytes_, promised)))
+        throw Error(fmt::format("{}: the array's compressed data is damaged", array_.name));
+  }
+  void read(std::uint64_t first, std::span<std::byte> out) override {
+    while (!out.empty()) {
+      go_to(first / block_bytes_);
+      const std::uint64_t from = first % block_bytes_,
+                          count = std::min<std::uint64_t>(block_.size() - from, out.size());
+      std::ranges::copy(std::span(block_).subspan(from, count), out.begin());
+      out = out.subspan(count);
+      first += count;
+    }
+  }
+
+ private:
+  void go_to(std::uint64_t block) {
+    if (block + 1 == next_) return;
+    for (; next_ < block; ++next_) array_.bytes->skip(packed_[next_]);
+    std::vector<std::byte> packed(packed_[block]);
+    fill(array_, packed, " of a block");
+    block_.resize(std::min(block_bytes_, array_.promised - block * block_bytes_));
+    uLongf got = block_.size();
+    const int result = uncompress(reinterpret_cast<Bytef*>(block_.data()), &got,
+                                  reinterpret_cast<const Bytef*>(packed.data()), packed.size());
+    if (result != Z_OK || got != block_.size())
+      throw Error(fmt::format("{}: the array's compressed data is damaged in block {} of {}", array_.name,
+                              block + 1, packed_.size()));
+    to_machine_order(array_, block_);
+    next_ = block + 1;
+  }
+
+  VtiArray array_;
+  std::uint64_t block_bytes_ = 0;
+  std::vector<std::uint64_t> packed_;  ///< bytes of each block
+  std::uint64_t next_ = 0;             ///< block in the file
+  std::vector<std::byte> block_;       ///< the one before it
+};
 
 }  // namespace
 
-std::vector<std::byte> read_vti_base64(const std::string& name, std::string_view text,
-                                       const VtiCoding& coding, std::uint64_t promised) {
-  return read_array(
-      name, [&](std::uint64_t count) { return decode_base64(text, count); }, coding, promised);
+std::unique_ptr<VtiBytes> raw_vti_bytes(const std::filesystem::path& file, std::uint64_t offset) {
+  return std::make_unique<RawBytes>(file, offset);
 }
 
-std::vector<std::byte> read_vti_raw(const std::string& name, const std::filesystem::path& path,
-                                    std::uint64_t offset, const VtiCoding& coding, std::uint64_t promised) {
-  return read_array(
-      name, [&](std::uint64_t count) { return bytes_at(path, offset, count); }, coding, promised);
+std::unique_ptr<VtiBytes> base64_vti_bytes(std::unique_ptr<std::istream> text) {
+  return std::make_unique<Base64Bytes>(std::move(text));
 }
 
-std::uint64_t find_vti_raw(const std::string& name, const std::filesystem::path& path, std::uint64_t offset,
-                           const VtiCoding& coding, std::uint64_t promised) {
-  const Begin begin = [&](std::uint64_t count) { return bytes_at(path, offset, count); };
-  const std::uint64_t held = length_at(at_least(name, begin, coding.header_bytes), 0, coding);
-  if (held != promised) throw_length(name, held, promised);
-  const std::uint64_t first = offset + coding.header_bytes, end = std::filesystem::file_size(path);
-  if (end - first < promised)
-    throw Error(fmt::format("{}: the array ends after {} of {} bytes", name, end - first, promised));
-  return first;
+std::unique_ptr<ByteStream> open_vti_array(const std::string& name, std::unique_ptr<VtiBytes> bytes,
+                                           const VtiCoding& coding, ScalarType type, std::uint64_t promised) {
+  VtiArray array{name, std::move(bytes), coding, type, promised};
+  if (coding.compressed) return std::make_unique<BlockArray>(std::move(array));
+  return std::make_unique<PlainArray>(std::move(array));
 }
 
 }  // namespace crest

@@ -3,11 +3,11 @@
 #include <bit>
 #include <cstddef>
 #include <filesystem>
+#include <istream>
+#include <memory>
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "render/volume/volume.h"
+#include "render/readers/voxel_stream.h"
 
 namespace crest {
 
@@ -18,16 +18,21 @@ struct VtiCoding {
   std::size_t header_bytes = 4;  ///< of each number that says a length
 };
 
-/// The bytes of one array, `promised` of them, in the file's byte order. Throws Error, which begins with
-/// `name`, when the array has another length or is damaged.
-std::vector<std::byte> read_vti_base64(const std::string& name, std::string_view text,
-                                       const VtiCoding& coding, std::uint64_t promised);
-/// The same from raw bytes in a file.
-std::vector<std::byte> read_vti_raw(const std::string& name, const std::filesystem::path& file,
-                                    std::uint64_t offset, const VtiCoding& coding, std::uint64_t promised);
+/// The bytes of an array as the file has them, with what says their lengths, from its begin on.
+class VtiBytes {
+ public:
+  virtual ~VtiBytes() = default;
+  /// Fills `out` as far as there are some, and returns how far.
+  virtual std::size_t read(std::span<std::byte> out) = 0;
+  virtual void skip(std::uint64_t count) = 0;
+};
+std::unique_ptr<VtiBytes> raw_vti_bytes(const std::filesystem::path& file, std::uint64_t offset);
+std::unique_ptr<VtiBytes> base64_vti_bytes(std::unique_ptr<std::istream> text);
 
-/// Where such bytes begin in the file, behind their length, if they are not compressed. Throws as the others.
-std::uint64_t find_vti_raw(const std::string& name, const std::filesystem::path& file, std::uint64_t offset,
-                           const VtiCoding& coding, std::uint64_t promised);
+/// The values of one array, `promised` bytes of the type, in the machine's byte order. Of compressed ones a
+/// block is held, and blocks that are passed over are not inflated. Throws Error, which begins with `name`,
+/// when the array has another length or is damaged.
+std::unique_ptr<ByteStream> open_vti_array(const std::string& name, std::unique_ptr<VtiBytes> bytes,
+                                           const VtiCoding& coding, ScalarType type, std::uint64_t promised);
 
 }  // namespace crest

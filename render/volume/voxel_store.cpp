@@ -1,6 +1,7 @@
 #include "render/volume/voxel_store.h"
 
-#include <tbb/parallel_for.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 
 #include <cmath>
 #include <cstring>
@@ -60,15 +61,23 @@ void VoxelStore::put(std::size_t first, std::size_t count, std::span<const std::
   });
 }
 
-void put_slice(VoxelStore& store, const GridPart& part, std::uint64_t k, std::span<const std::byte> bytes,
-               ScalarType type, SampleOf sample, LinearMap map) {
+Rounding put_slice(VoxelStore& store, const GridPart& part, std::uint64_t k, std::span<const std::byte> bytes,
+                   ScalarType type, SampleOf sample, LinearMap map) {
   const glm::u64vec3 dims = part.dims();
-  tbb::parallel_for(std::uint64_t(0), dims.y, [&](std::uint64_t j) {
-    const std::uint64_t point = part.first.x + part.full.x * (part.first.y + j * part.stride.y);
-    store.put(dims.x * (j + dims.y * k), dims.x,
-              bytes.subspan((point * sample.count + sample.index) * size_of(type)), type,
-              sample.count * part.stride.x, map);
-  });
+  const bool rounds = may_round(type, map);
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::uint64_t>(0, dims.y), Rounding(),
+      [&](const auto& rows, Rounding lost) {
+        for (std::uint64_t j = rows.begin(); j != rows.end(); ++j) {
+          const std::uint64_t point = part.first.x + part.full.x * (part.first.y + j * part.stride.y);
+          const auto row = bytes.subspan((point * sample.count + sample.index) * size_of(type));
+          const std::size_t stride = sample.count * part.stride.x;
+          store.put(dims.x * (j + dims.y * k), dims.x, row, type, stride, map);
+          if (rounds) lost = joined(lost, rounding_of(row, type, dims.x, stride, map));
+        }
+        return lost;
+      },
+      [](const Rounding& a, const Rounding& b) { return joined(a, b); });
 }
 
 }  // namespace crest

@@ -7,6 +7,7 @@
 
 #include "render/volume/convert.h"
 #include "render/volume/grid_part.h"
+#include "render/volume/rounding.h"
 #include "render/volume/voxels.h"
 
 namespace crest {
@@ -41,8 +42,8 @@ struct SampleOf {
   std::uint64_t count = 1, index = 0;
 };
 /// Puts slice k of a part of a grid, from the bytes of a whole slice of it, x fastest, a point's samples
-/// together.
-void put_slice(VoxelStore& store, const GridPart& part, std::uint64_t k, std::span<const std::byte> bytes,
-               ScalarType type, SampleOf sample, LinearMap map);
+/// together. What 32-bit float loses of those that are taken.
+Rounding put_slice(VoxelStore& store, const GridPart& part, std::uint64_t k, std::span<const std::byte> bytes,
+                   ScalarType type, SampleOf sample, LinearMap map);
 
 }  // namespace crest

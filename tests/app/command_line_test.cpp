@@ -214,6 +214,18 @@ TEST_F(CommandLine, APresetIsNotWrittenOver) {
   const std::string preset = write("p.json", content_of(source_folder() / "presets/library/onion.json"));
   expect_error(2, {"export", preset, "--to", "csv", "-o", preset}, {"--output", "p.json", "would be lost"});
   expect_error(2, {"export", preset, "--to", "csv", "-o", path("./p.json")}, {"--output", "would be lost"});
+  expect_error(2, {"match", preset, "--from", "builtin:noise", "--to", "builtin:gyroid", "-o", preset},
+               {"--output", "p.json", "would be lost"});
+}
+
+TEST_F(CommandLine, AVolumeIsNotWrittenOver) {
+  const std::string volume = write("v.png", "a picture"), other = path("./v.png");
+  expect_error(2, {"match", "onion", "--from", volume, "--to", "builtin:gyroid", "-o", other},
+               {"--output", "v.png", "would be lost"});
+  expect_error(2, {"info", volume, "--by-value", other}, {"--by-value", "v.png", "would be lost"});
+  for (const char* command : {"render", "compare"})
+    expect_error(2, {command, volume, "-o", other}, {"--output", "v.png", "would be lost"});
+  EXPECT_EQ(content_of(volume), "a picture");
 }
 
 }  // namespace

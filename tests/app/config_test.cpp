@@ -92,6 +92,12 @@ TEST_F(Config, SetsWhatAStudyTakesAndNothingElse) {
   EXPECT_EQ(study.err.find("no preset"), std::string::npos) << "it has scenes of its own: " << study.err;
 }
 
+TEST_F(Config, AFrameIsNotOfABuiltInVolume) {
+  configure(R"({"frame": "1", "size": "8x8"})");
+  EXPECT_EQ(run_configured({"render", "builtin:sphere?n=8", "-o", path("a.png")}).exit_code, 0);
+  expect_error(1, {"render", "builtin:sphere?n=8", "--frame", "1", "-o", path("a.png")}, {"\"frame\""}, here);
+}
+
 TEST_F(Config, IsInTheCommandThatAReportTells) {
   configure(R"({"report": {"size": "16x16", "budget": "1s"}})");
   const Outcome outcome = run_configured({"report", "builtin:sphere?n=8", "--json", "-o", path("r")});

@@ -234,5 +234,17 @@ TEST_F(BadInput, WhatIsNotReadTellsHowToConvertIt) {
   for (const auto& [file, part] : files) expect_error(file, {file, part, "python3 -c", "volume.npy"});
 }
 
+TEST_F(BadInput, OtherKindsOfVtkAreNamed) {
+  expect_error(write("v.vtu", "<VTKFile/>"), {".vtu (an unstructured grid)", "Resample To Image"});
+  expect_error(write("v.PVTP", "<VTKFile/>"), {"surfaces", "no voxels"});
+  expect_error(write("v.vtm", "<VTKFile/>"), {"its blocks", ".vti"});
+  const std::string list =
+      "<VTKFile type=\"Collection\"><Collection><DataSet timestep=\"0\" file=\"s/f_1.vti\"/>";
+  expect_error(write("v.pvd", list), {"as steps: 'NAME_*.vti'"});
+  write("s/f_1.vti", "");
+  write("s/f_2.vti", "");
+  expect_error(path("v.pvd"), {"as steps: '" + path("s/f_*.vti") + "'"});
+}
+
 }  // namespace
 }  // namespace crest::test

@@ -208,6 +208,21 @@ TEST_F(TiffValues, ImageJsChannelsAndFramesAreTakenApart) {
   expect_error(write("few.tif", tiff.file(pages(11))), {"12 images", "11"});
 }
 
+TEST_F(TiffValues, WhatIsRoundedCountsInAllPages) {
+  TiffBytes tiff;
+  tiff.bits = 32;
+  std::vector<std::string> large(3);
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 12; ++i)  // odd ones in the second page, even ones in the others
+      append_value(large[std::size_t(k)], double(1 << 24) + 24 * k + 2 * i + k % 2, uint32, endian::little);
+  const std::string file = write("large.tif", tiff.file(large)), note = load_volume(file).note;
+  EXPECT_NE(note.find("rounds 12 voxels by up to 1"), std::string::npos) << note;
+  EXPECT_NE(note.find("?subtract=16777216 keeps"), std::string::npos) << note;
+  EXPECT_EQ(load_volume(file + "?subtract=16777216").at(3, 0, 1), 31.f);
+  const std::string first = load_volume(file + "?stride=1,1,2").note;
+  EXPECT_EQ(first.find("rounds"), std::string::npos) << first;  // what is not taken is not counted
+}
+
 TEST_F(TiffValues, NumbersThatOverflowToThePagesAreRefused) {
   TiffBytes tiff;  // their product is 2^64 + 34
   tiff.description = "ImageJ=1.53t\nchannels=1128506\nslices=1500025\nframes=10897261\n";

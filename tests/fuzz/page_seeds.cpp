@@ -78,6 +78,7 @@ std::vector<std::string> tiff_seeds() {
                .kind = SAMPLEFORMAT_INT,
                .description = "ImageJ=1.53t\nimages=4\nchannels=2\nslices=2\nspacing=3\nunit=um\n"},
               4),
+      tiff_of({.description = "ImageJ=1.53t\nimages=3\nslices=3\n"}, 1) + std::string(2 * 20 * 18, 's'),
       tiff_of(
           {.description = "<?xml version=\"1.0\"?><OME><Image><Pixels DimensionOrder=\"XYZCT\" SizeX=\"20\" "
                           "SizeY=\"18\" "

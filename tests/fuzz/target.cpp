@@ -41,7 +41,9 @@ constexpr Target list[] = {
     {"tiff", read_tiff, tiff_seeds, 2000},
     {"png", read_png, png_seeds, 2000},
     {"pnm", read_pnm, pnm_seeds, 2000},
+    {"pvti", read_pvti_file, pvti_seeds, 2000},
     {"dicom", read_dicom, dicom_seeds, 2000},
+    {"dicom_pixels", read_dicom_pixels, dicom_pixel_seeds, 2000},
 };
 
 bool is_word(char c) {

@@ -43,12 +43,14 @@ void read_analyze(std::string_view input);
 void read_mrc(std::string_view input);
 void read_vtk_file(std::string_view input);
 void read_vti_file(std::string_view input);
+void read_pvti_file(std::string_view input);
 void read_npy(std::string_view input);
 void read_raw_sidecar(std::string_view input);  ///< the query in the first line, then the sidecar
 void read_tiff(std::string_view input);
 void read_png(std::string_view input);
 void read_pnm(std::string_view input);
-void read_dicom(std::string_view input);  ///< its elements alone: what GDCM does is GDCM's
+void read_dicom(std::string_view input);         ///< its elements alone: what GDCM does is GDCM's
+void read_dicom_pixels(std::string_view input);  ///< how they lie in the first line, then a frame or more
 std::vector<std::string> nrrd_seeds();
 std::vector<std::string> nhdr_seeds();
 std::vector<std::string> mha_seeds();
@@ -58,11 +60,13 @@ std::vector<std::string> analyze_seeds();
 std::vector<std::string> mrc_seeds();
 std::vector<std::string> vtk_seeds();
 std::vector<std::string> vti_seeds();
+std::vector<std::string> pvti_seeds();
 std::vector<std::string> npy_seeds();
 std::vector<std::string> raw_seeds();
 std::vector<std::string> tiff_seeds();
 std::vector<std::string> png_seeds();
 std::vector<std::string> pnm_seeds();
 std::vector<std::string> dicom_seeds();
+std::vector<std::string> dicom_pixel_seeds();
 
 }  // namespace crest::fuzz

@@ -169,6 +169,18 @@ std::vector<std::string> vti_seeds() {
               half + "</DataArray></PointData></Piece></ImageData></VTKFile>"};
 }
 
+std::vector<std::string> pvti_seeds() {
+  const std::string head =
+      "<VTKFile type=\"PImageData\"><PImageData WholeExtent=\"2 6 0 3 0 2\" GhostLevel=\"1\" "
+      "Spacing=\"1 2 3\"><PPointData Scalars=\"d\"><PDataArray type=\"Float32\" Name=\"d\"/></PPointData>";
+  const std::string tail = "</PImageData></VTKFile>";
+  return {head + "<Piece Extent=\"2 6 0 3 0 2\" Source=\"piece.vti\"/>" + tail,
+          head +
+              "<Piece Extent=\"2 4 0 3 0 2\" Source=\"piece.vti\"/><Piece Extent=\"4 6 0 3 0 2\" "
+              "Source=\"./piece.vti\"/>" +
+              tail};
+}
+
 std::vector<std::string> npy_seeds() {
   const auto npy = [](const std::string& dictionary, const std::string& data, bool second = false) {
     std::string head = "\x93NUMPY";
@@ -207,6 +219,12 @@ std::vector<std::string> dicom_seeds() {
   return {dicom_slice(4, 3, 2.5, 1, pixels), head + fragments,
           head + dicom_element(0x5200, 0x9230, "SQ", open + closed) + fragments,
           dicom_slice(4, 3, 0, 2, pixels, "2", "-10")};
+}
+
+std::vector<std::string> dicom_pixel_seeds() {
+  return {"5 3 1 1 1 0 0 0 3 1 0\nabcdef", "5 3 1 16 12 13 1 0 2 2 0\n" + std::string(60, 'p'),
+          "2 2 3 8 8 7 0 1 2 1 0\n" + std::string(24, 'p'),
+          "2 2 1 32 32 31 0 0 1 1 1\n" + std::string(16, 'p')};
 }
 
 }  // namespace crest::fuzz

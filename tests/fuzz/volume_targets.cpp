@@ -1,7 +1,10 @@
 // Files of voxels, read by the code that the reader's program reads them with.
+#include <algorithm>
+#include <sstream>
+
 #include "presets/error.h"
 #include "render/files/load.h"
-#include "render/readers/dicom_structure.h"
+#include "render/readers/dicom_pixels.h"
 #include "render/readers/readers.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/target_list.h"
@@ -41,6 +44,10 @@ void read_analyze(std::string_view input) {
 void read_mrc(std::string_view input) { read_file<FileForm::mrc>("volume.mrc", input); }
 void read_vtk_file(std::string_view input) { read_file<FileForm::vtk>("volume.vtk", input); }
 void read_vti_file(std::string_view input) { read_file<FileForm::vti>("volume.vti", input); }
+void read_pvti_file(std::string_view input) {
+  write_scratch("piece.vti", vti_seeds().front());
+  read_file<FileForm::pvti>("volume.pvti", input);
+}
 void read_npy(std::string_view input) { read_file<FileForm::npy>("volume.npy", input); }
 
 void read_raw_sidecar(std::string_view input) {
@@ -56,7 +63,34 @@ void read_raw_sidecar(std::string_view input) {
 
 void read_dicom(std::string_view input) {
   const DicomStructure structure = read_dicom_structure(write_scratch("image.dcm", input));
-  require(structure.pixel_bytes.value_or(0) <= input.size(), "pixels lie in the file");
+  if (structure.pixels)
+    require(structure.pixels->begin + structure.pixels->bytes <= input.size(), "pixels lie in the file");
+}
+
+void read_dicom_pixels(std::string_view input) {
+  const std::size_t end = std::min(input.find('\n'), input.size());
+  std::istringstream line{std::string(input.substr(0, end))};
+  DicomImage image;
+  DicomPlace place;
+  std::size_t frames = 0;
+  int numbers = 0;
+  line >> image.columns >> image.rows >> image.samples >> image.bits >> image.bits_stored >> image.high_bit >>
+      image.is_signed >> image.has_planes >> frames >> place.swapped >> numbers;
+  const auto is_in = [](std::uint64_t value, std::uint64_t most) { return value >= 1 && value <= most; };
+  // What the walk over a file's elements lets through, and sizes that it holds against the pixels.
+  if (!line || !is_in(image.columns, 65535) || !is_in(image.rows, 65535) || !is_in(frames, 1 << 20) ||
+      !is_in(image.samples, 3) || !is_in(image.bits_stored, 64) || place.swapped > 2)
+    throw Error("not how pixels lie");
+  const std::string_view pixels = input.substr(std::min(end + 1, input.size()));
+  image.file = write_scratch("pixels.dcm", pixels);
+  place.bytes = pixels.size();
+  place.numbers = DicomNumbers(std::clamp(numbers, 0, 2));
+  place.swapped = std::max<std::size_t>(place.swapped, 1);
+  const auto opened = open_plain_pixels(image, place, frames);
+  for (const std::size_t frame : {frames - 1, std::size_t(0)})
+    require(
+        opened->frame(frame).size() == image.columns * image.rows * image.samples * size_of(opened->type()),
+        "a frame is whole");
 }
 
 }  // namespace crest::fuzz

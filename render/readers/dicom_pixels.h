@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "render/readers/dicom_image.h"
+#include "render/readers/dicom_structure.h"
+
+namespace crest {
+
+/// The pixels of a file, a frame at a time: stored values, a pixel's samples together, in the machine's byte
+/// order. Nothing is inverted, scaled or coloured.
+class DicomPixels {
+ public:
+  virtual ~DicomPixels() = default;
+  /// Bytes that it may take at once.
+  virtual std::uint64_t held_bytes() const = 0;
+  /// Of a frame that was taken.
+  virtual ScalarType type() const = 0;
+  /// Holds until the next call. Throws Error when they cannot be read or decoded.
+  virtual std::span<const std::byte> frame(std::size_t number) = 0;
+};
+
+/// Of a file with so many frames, of which `image` is one. Throws Error when it holds other pixels than that
+/// promises, or in a form that is not read.
+std::unique_ptr<DicomPixels> open_dicom_pixels(const DicomImage& image, std::size_t frames);
+/// Those that are not compressed, without GDCM, which takes a file's pixels all at once.
+std::unique_ptr<DicomPixels> open_plain_pixels(const DicomImage& image, const DicomPlace& place,
+                                               std::size_t frames);
+
+/// The stored bits of integers, which end at `high_bit`, as numbers of the type: bits about them may hold an
+/// overlay, and the sign is the highest stored one (PS3.5, 8.1.1).
+void keep_stored_bits(std::span<std::byte> bytes, ScalarType type, unsigned stored, unsigned high_bit);
+
+/// A pixel's samples together, of a frame that has them in a plane of each.
+std::vector<std::byte> joined_planes(std::span<const std::byte> planes, std::size_t samples,
+                                     std::size_t sample_bytes);
+
+}  // namespace crest
