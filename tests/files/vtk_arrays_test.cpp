@@ -233,7 +233,8 @@ TEST_F(VtkArrays, XmlInSeveralPieces) {
       load_volume(write("c.vti", in_pieces(ramp_piece(0, 1, true) + ramp_piece(1, 4, true))));
   EXPECT_EQ(cells.grid, (Grid{{4, 3, 2}, {1, 2, 3}, {10.5, 21, 31.5}}));
   EXPECT_EQ(cells.at(3, 2, 1), 123.f);
-  expect_error(write("gap.vti", in_pieces(ramp_piece(0, 1) + ramp_piece(3, 4))), {"leave points without a value", "(2, 0, 0)"});
+  expect_error(write("gap.vti", in_pieces(ramp_piece(0, 1) + ramp_piece(3, 4))),
+               {"leave points without a value", "(2, 0, 0)"});
   std::string other = ramp_piece(2, 4);
   other.replace(other.find("\"d\""), 3, "\"e\"");
   expect_error(write("other.vti", in_pieces(ramp_piece(0, 2) + other)), {"piece 2", "\"d\""});
