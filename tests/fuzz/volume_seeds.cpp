@@ -58,7 +58,7 @@ std::vector<std::string> nhdr_seeds() {
   return {head + "data file: voxels.raw\n", head + "byte skip: -1\ndata file: voxels.raw\n",
           "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 5 4 3\nencoding: raw\nbyte skip: 8\nline skip: "
           "0\ndatafile: ./voxels.raw\n",
-          "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 5 4 2\nencoding: raw\ndata file: "
+          "NRRD0004\ntype: double\ndimension: 3\nsizes: 5 4 6\nendian: little\nencoding: raw\ndata file: "
           "LIST\nvoxels.raw\nvoxels.raw\n"};
 }
 
@@ -79,7 +79,7 @@ std::vector<std::string> mhd_seeds() {
       head + "HeaderSize = -1\nElementDataFile = voxels.raw\n",
       "ObjectType = Image\nNDims = 3\nDimSize = 5 4 3\nElementNumberOfChannels = 2\nElementType = MET_INT\n"
       "ElementByteOrderMSB = True\nElementDataFile = voxels.raw\n",
-      "NDims = 3\nDimSize = 5 4 2\nElementType = MET_UCHAR\nElementDataFile = LIST "
+      "NDims = 3\nDimSize = 5 4 6\nElementType = MET_DOUBLE\nElementDataFile = LIST "
       "2D\nvoxels.raw\nvoxels.raw\n"};
 }
 
