@@ -185,6 +185,7 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
     if (is_alike && pixels.type() != volume.file_type)
       throw Error(fmt::format("{}: {}: it holds other pixels than it says", name, slice.file.string()));
     put_slice(*store, part, k, bytes, pixels.type(), {slice.samples, component}, map_of(slice));
+    tell(request.reading.progress, double(k + 1) / double(part.dims().z));
   }
   volume.values = store->take();
   place_part(volume, part);

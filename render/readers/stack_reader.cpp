@@ -99,6 +99,7 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
     require_alike(page, file->format(page.number), first);
     file->read(page.number, bytes);
     put_slice(store, part, k, bytes, first.type, {first.channels, stack.channel}, map);
+    tell(request.reading.progress, double(k + 1) / double(part.dims().z));
     if (!rounding.empty() || !may_round(first.type, map)) continue;
     const auto samples = std::span<const std::byte>(bytes).subspan(stack.channel * size_of(first.type));
     const Rounding lost = rounding_of(samples, first.type, dims.x * dims.y, first.channels, map);
