@@ -10,6 +10,7 @@
 #include "render/volume/grid_part.h"
 #include "render/volume/memory.h"
 #include "render/volume/query.h"
+#include "render/volume/tell_share.h"
 
 namespace crest {
 
@@ -21,6 +22,7 @@ struct Reading {
   std::uint64_t memory = available_memory();  ///< bytes that it may take
   bool asks = false;          ///< ChoiceNeeded also where the query left something open that has a default
   std::stop_token stop = {};  ///< ends the reader at once
+  TellShare progress = {};    ///< until the volume is there, with its statistics
   std::filesystem::path reader = reader_program();  ///< tests have others
   std::chrono::seconds patience{30};                ///< with a reader that does nothing
 };

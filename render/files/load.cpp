@@ -137,13 +137,18 @@ Volume read_builtin(const std::string& source, const Reading& reading) {
 }
 
 /// The path alone, which is there.
-Volume load_path(const FileRequest& request) {
+Volume load_path(FileRequest request) {
+  // Of a large volume most of the time goes into reading it, even where it is not compressed
+  constexpr double until_read = 0.85;
+  const TellShare progress = request.reading.progress;
+  request.reading.progress = share_of(progress, 0, until_read);
   const fs::path& path = request.path;
   Volume volume = guarded(request);
   repair_geometry(volume);
   volume.file.path = fs::absolute(path).lexically_normal().string();
   volume.name = path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
-  volume.statistics = compute_statistics(volume.grid, volume.values);
+  volume.statistics =
+      compute_statistics(volume.grid, volume.values, histogram_bins, share_of(progress, until_read, 1));
   return volume;
 }
 

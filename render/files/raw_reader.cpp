@@ -117,7 +117,7 @@ SlabsRead read_values(const FileRequest& request, const VoxelLayout& layout, con
     if (!file.read(reinterpret_cast<char*>(out.data()), std::streamsize(out.size())))
       throw Error(fmt::format("{}: it could not be read to its end", request.name()));
   };
-  return read_slabs(layout, stored, read);
+  return read_slabs(layout, stored, read, request.reading.progress);
 }
 
 }  // namespace

@@ -44,8 +44,12 @@ class Reader {
       const Json line = parse(next_line());
       if (line.contains("error")) fail_as_told(line);
       if (line.contains(key)) return line;
-      if (!line.contains("expects")) fail_unclear();
-      expect(line);
+      if (line.contains("read"))
+        take_share(line.at("read"));
+      else if (line.contains("expects"))
+        expect(line);
+      else
+        fail_unclear();
     }
   }
 
@@ -62,6 +66,7 @@ class Reader {
       const std::size_t size = std::min(block.size(), count - values.size());
       take(reinterpret_cast<char*>(block.data()), size * sizeof(T));
       values.insert(values.end(), block.begin(), block.begin() + std::ptrdiff_t(size));
+      tell(request_.reading.progress, until_sent + (1 - until_sent) * double(values.size()) / double(count));
     }
   }
 
@@ -74,6 +79,17 @@ class Reader {
                                    request.reading.asks ? "asks" : "decides", request.name()};
     for (const auto& [key, value] : request.query) words.push_back(key + "=" + value);
     return words;
+  }
+
+  /// Of what a person waits for; the rest are the values on their way.
+  static constexpr double until_sent = 0.8;
+
+  /// How much is read. What goes backward is not shown: it may begin with another part.
+  void take_share(const Json& share) {
+    const double read = share.is_number() ? share.get<double>() : -1;
+    if (!(read >= 0 && read <= 1) || ++told_ > most_told) fail_unclear();
+    read_ = std::max(read_, read);
+    tell(request_.reading.progress, until_sent * read_);
   }
 
   [[noreturn]] void fail(const std::string& why) const {
@@ -200,6 +216,8 @@ class Reader {
   std::string_view library_;
   ReaderProcess process_;
   Clock::time_point begin_ = Clock::now(), deadline_ = begin_ + request_.reading.patience;
+  double read_ = 0;     ///< of the file, as it told
+  int told_ = 0;        ///< how often
   double seconds_ = 0;  ///< of processor time, which it may take
   std::string held_;    ///< read, and not yet taken
 };

@@ -75,19 +75,24 @@ Rounding put_slab(const VoxelLayout& layout, const Box& box, const StoredAs& sto
 
 }  // namespace
 
-SlabsRead read_slabs(const VoxelLayout& layout, const StoredAs& stored, const ReadValues& read) {
+SlabsRead read_slabs(const VoxelLayout& layout, const StoredAs& stored, const ReadValues& read,
+                     const TellShare& progress) {
   const std::size_t value_size = size_of(stored.type);
   VoxelStore store(stored.type, layout.dims.x * layout.dims.y * layout.dims.z, stored.map);
   std::array slow_to_fast{2, 1, 0};
   std::ranges::stable_sort(slow_to_fast, std::greater(), [&](int axis) { return layout.stride[axis]; });
   SlabsRead result;
   std::vector<std::byte> bytes;
+  const double values = double(layout.dims.x) * double(layout.dims.y) * double(layout.dims.z);
+  std::uint64_t done = 0;
   for_each_slab(layout, slow_to_fast, {glm::u64vec3(0), layout.dims}, slab_bytes / value_size,
                 [&](const Box& box) {
                   bytes.resize(extent_of(layout, box) * value_size);
                   read(layout.place(box.begin), bytes);
                   if (stored.endian != std::endian::native) swap_bytes(bytes, value_size);
                   result.rounding = joined(result.rounding, put_slab(layout, box, stored, bytes, store));
+                  done += box.size().x * box.size().y * box.size().z;
+                  tell(progress, double(done) / values);
                 });
   result.values = store.take();
   return result;

@@ -8,6 +8,7 @@
 #include "render/files/voxel_layout.h"
 #include "render/volume/convert.h"
 #include "render/volume/rounding.h"
+#include "render/volume/tell_share.h"
 #include "render/volume/voxels.h"
 
 namespace crest {
@@ -32,6 +33,7 @@ struct SlabsRead {
 
 /// The values of a layout with one component and one frame: read slab by slab along the axis that is the
 /// slowest in the file, and what lies between slabs is not asked for.
-SlabsRead read_slabs(const VoxelLayout& layout, const StoredAs& stored, const ReadValues& read);
+SlabsRead read_slabs(const VoxelLayout& layout, const StoredAs& stored, const ReadValues& read,
+                     const TellShare& progress = {});
 
 }  // namespace crest

@@ -10,6 +10,9 @@ namespace crest {
 // What the reader's program writes to its standard output: JSON objects, one a line, and after the last of
 // them as many values, in the machine's bytes, as it tells: floats, or, of a volume, what "stored" says.
 //   {"expects": bytes, "seconds": of processor time}   what it sets about, and when it is ended; any number
+//   {"read": share}                                    how much of the file it has read, in [0, 1]; at most
+//   some
+//                                                      hundred, most_told
 //   {"error": "..."}                                    then no more; with "choice" it is ChoiceNeeded
 //   {"volume": {...}, "values": count, "stored": {"type", "slope", "intercept"}}
 //                                                      all but statistics, name and file
@@ -18,6 +21,9 @@ namespace crest {
 
 /// Lines longer than this are none.
 inline constexpr std::size_t longest_answer_line = std::size_t(1) << 24;
+
+/// Told more often how much is read, a reader is not what it should be.
+inline constexpr int most_told = 1000;
 
 Json volume_to_json(const Volume& volume);
 /// Without values. Throws Error, or an exception of the JSON library, unless it is a volume's.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <exception>
@@ -70,6 +71,20 @@ class Answer {
 
   int file_;
 };
+
+/// Tells how much is read: at most ten times a second, and a hundred times in all.
+TellShare tell_by(const Answer& answer) {
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds between{100};
+  static constexpr double step = 0.01;
+  return [&answer, next = Clock::now() + between, least = step](double share) mutable {
+    const Clock::time_point now = Clock::now();
+    if (now < next || share < least) return;
+    next = now + between;
+    least = share + step;
+    answer.line({{"read", share}});
+  };
+}
 
 struct Task {
   FileForm form;
@@ -144,6 +159,7 @@ void run(const Answer& answer, std::span<char*> words) {
   const std::uint64_t held = bytes_held(task.request.path);
   expect(held);
   task.request.expect = [&](std::uint64_t bytes) { expect(held + bytes); };
+  task.request.reading.progress = tell_by(answer);
   try {
     answer_task(answer, task);
   } catch (const TooLarge& fault) {

@@ -191,6 +191,7 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
       throw Error(fmt::format("{}: {}: it holds other pixels than it says", name, slice.file.string()));
     lost = joined(
         lost, put_slice(*store, part, k, bytes, pixels.type(), {slice.samples, component}, map_of(slice)));
+    tell(request.reading.progress, double(k + 1) / double(part.dims().z));
   }
   volume.values = store->take();
   add_note(volume.note, rounding_note(lost, volume.file_type, map_of(first)));

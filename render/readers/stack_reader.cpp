@@ -105,6 +105,7 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
     require_alike(page, file->format(page.number), first);
     file->read(page.number, bytes);
     lost = joined(lost, put_slice(store, part, k, bytes, first.type, {first.channels, stack.channel}, map));
+    tell(request.reading.progress, double(k + 1) / double(part.dims().z));
   }
   volume.values = store.take();
   add_note(volume.note, rounding_note(lost, first.type, map));

@@ -94,7 +94,8 @@ Volume read_voxels(const FileRequest& request, const VoxelHeader& header, const 
   add_note(volume.note, orientation_note(header.direction));
 
   const StoredAs stored{header.type, header.endian, subtracted(request, header.scaling, volume.note)};
-  SlabsRead slabs = read_slabs(part_of(one_of(layout, component, frame), part), stored, read);
+  SlabsRead slabs =
+      read_slabs(part_of(one_of(layout, component, frame), part), stored, read, request.reading.progress);
   volume.values = std::move(slabs.values);
   add_note(volume.note, rounding_note(slabs.rounding, header.type, stored.map));
   place_part(volume, part);

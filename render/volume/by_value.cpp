@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace crest {
 namespace {
@@ -104,12 +106,24 @@ void add_cell(Sums& sums, const Cell& cell, glm::dvec3 spacing) {
   }
 }
 
-Cell cell_at(const Volume& volume, int i, int j, int k) {
-  Cell cell;
-  for (int c = 0; c < 8; ++c)
-    cell[std::size_t(c)] = volume.at(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2 & 1));
-  return cell;
-}
+/// The four rows of points on which a row of cells has its corners: a step along y, then one along z.
+class CornerRows {
+ public:
+  CornerRows(const Volume& volume, int j, int k) {
+    for (int r = 0; r < 4; ++r)
+      rows_[std::size_t(r)] = volume.values.part(volume.index(0, j + (r & 1), k + (r >> 1)),
+                                                 std::size_t(volume.grid.dims.x), rooms_[std::size_t(r)]);
+  }
+  Cell cell(int i) const {
+    Cell cell;
+    for (std::size_t c = 0; c < 8; ++c) cell[c] = rows_[c >> 1][std::size_t(i) + (c & 1)];
+    return cell;
+  }
+
+ private:
+  std::array<std::vector<float>, 4> rooms_;
+  std::array<std::span<const float>, 4> rows_;
+};
 
 bool is_empty(const Cell& cell) {
   return std::ranges::any_of(cell, [](double value) { return !std::isfinite(value); });
@@ -126,11 +140,13 @@ std::optional<ByValue> measure_by_value(const Volume& volume, int bins, const st
   std::vector<std::optional<Sums>> slices(std::size_t(cells.z));
   const auto measure_slice = [&](int k) {
     Sums& sums = slices[std::size_t(k)].emplace(range, count);
-    for (int j = 0; j < cells.y && !stop.stop_requested(); ++j)
+    for (int j = 0; j < cells.y && !stop.stop_requested(); ++j) {
+      const CornerRows rows(volume, j, k);
       for (int i = 0; i < cells.x; ++i) {
-        const Cell cell = cell_at(volume, i, j, k);
+        const Cell cell = rows.cell(i);
         if (!has_empty || !is_empty(cell)) add_cell(sums, cell, volume.grid.spacing);
       }
+    }
   };
   // Half of the cores: this is done beside what a person looks at
   tbb::task_arena arena(std::max(1, tbb::this_task_arena::max_concurrency() / 2));

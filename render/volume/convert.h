@@ -4,10 +4,9 @@
 #include <cstdint>
 #include <glm/gtc/packing.hpp>
 #include <span>
-#include <type_traits>
 
+#include "render/volume/linear_map.h"
 #include "render/volume/volume.h"
-#include "render/volume/voxels.h"
 
 namespace crest {
 
@@ -46,17 +45,6 @@ void with_scalar_type(ScalarType type, F&& f) {
       break;
   }
   return f(float());
-}
-
-/// A stored value mapped in a type that holds it exactly: 64-bit integers have more digits than double.
-template <class T>
-auto mapped(T value, LinearMap map) {
-  using Wide = std::conditional_t<std::is_integral_v<T> && sizeof(T) == 8, long double, double>;
-  return static_cast<Wide>(value) * static_cast<Wide>(map.slope) + static_cast<Wide>(map.intercept);
-}
-template <class T>
-float mapped_to_float(T value, LinearMap map) {
-  return map == LinearMap() ? float(value) : float(mapped(value, map));
 }
 
 /// `out.size()` values of `type` as float32, mapped exactly and rounded once; `stride` is the distance

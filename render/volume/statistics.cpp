@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <span>
 
-#include "render/volume/differences.h"
-#include "render/volume/plateaus.h"
+#include "render/volume/histogram_bins.h"
+#include "render/volume/neighbours.h"
+#include "render/volume/value_counts.h"
 #include "render/volume/volume.h"
 
 namespace crest {
@@ -62,36 +64,90 @@ Moments join(const Moments& a, const Moments& b) {
   return m;
 }
 
-}  // namespace
+/// What is found by going through all voxels once, slice by slice.
+class Pass {
+ public:
+  Pass(const Grid& grid, const Voxels& values)
+      : grid_(grid),
+        values_(values),
+        slice_(std::size_t(grid.dims.x) * std::size_t(grid.dims.y)),
+        neighbours_([&] { return Neighbours(grid); }),
+        counts_([&] { return no_counts(values); }),
+        moments_(values.are_floats() ? (values.size() + chunk_size - 1) / chunk_size : 0) {}
 
-VolumeStatistics compute_statistics(const Grid& grid, const Voxels& values, int bins) {
-  const std::size_t chunks = (values.size() + chunk_size - 1) / chunk_size;
-  std::vector<Moments> parts(chunks);
-  tbb::parallel_for(std::size_t(0), chunks, [&](std::size_t c) {
-    const std::size_t begin = c * chunk_size;
+  /// Slices [begin, end). Any thread may, for other slices.
+  void add(int begin, int end) {
+    add_neighbours(grid_, values_, begin, end, neighbours_.local());
+    const std::size_t first = slice_ * std::size_t(begin), last = slice_ * std::size_t(end);
+    if (!values_.are_floats()) return add_counts(values_, first, last - first, counts_.local());
     std::vector<float> room;
-    parts[c] = moments_of(values.part(begin, std::min(chunk_size, values.size() - begin), room));
-  });
-  Moments all;
-  for (const Moments& part : parts) all = join(all, part);
+    for (std::size_t c = (first + chunk_size - 1) / chunk_size; c * chunk_size < last; ++c) {
+      const std::size_t at = c * chunk_size;
+      moments_[c] = moments_of(values_.part(at, std::min(chunk_size, values_.size() - at), room));
+    }
+  }
 
-  VolumeStatistics statistics;
-  statistics.nan_count = all.nan;
-  statistics.inf_count = all.inf;
-  if (all.finite > 0) {
+  VolumeStatistics finish(int bins) const {
+    VolumeStatistics statistics;
+    if (values_.are_floats()) {
+      summarize(statistics);
+      statistics.histogram = histogram_of(values_, statistics.range, bins);
+    } else {
+      ValueCounts counts = no_counts(values_);
+      for (const ValueCounts& part : counts_)
+        for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += part[i];
+      crest::summarize(values_, counts, statistics);
+      statistics.histogram = histogram_of(values_, counts, statistics.range, bins);
+    }
+    Neighbours found(grid_);
+    for (const Neighbours& part : neighbours_) found.join(part);
+    statistics.largest_difference = found.largest_difference;
+    statistics.plateaus = plateaus_of(grid_, found);
+    if (found.high.x >= 0) {  // the cells around a point reach to its neighbours
+      statistics.empty_min = glm::max(found.low - 1, glm::ivec3(0));
+      statistics.empty_max = glm::min(found.high + 1, grid_.dims - 1);
+    }
+    return statistics;
+  }
+
+ private:
+  void summarize(VolumeStatistics& statistics) const {
+    Moments all;
+    for (const Moments& part : moments_) all = join(all, part);
+    statistics.nan_count = all.nan;
+    statistics.inf_count = all.inf;
+    if (all.finite == 0) return;
     statistics.range = {all.min, all.max};
     statistics.mean = all.mean;
     statistics.variance = all.squares / double(all.finite);
   }
-  statistics.largest_difference = largest_differences(grid, values);
-  if (all.nan + all.inf > 0) {
-    const PointBox empty = empty_part(grid, values);
-    statistics.empty_min = empty.min;
-    statistics.empty_max = empty.max;
+
+  const Grid& grid_;
+  const Voxels& values_;
+  std::size_t slice_;
+  tbb::enumerable_thread_specific<Neighbours> neighbours_;
+  tbb::enumerable_thread_specific<ValueCounts> counts_;
+  std::vector<Moments> moments_;  ///< of floats, a chunk each
+};
+
+}  // namespace
+
+VolumeStatistics compute_statistics(const Grid& grid, const Voxels& values, int bins,
+                                    const TellShare& progress) {
+  // Progress is told by this thread, after each batch of so many voxels or a slice; all but the histogram of
+  // floats is counted.
+  constexpr std::size_t batch = std::size_t(1) << 25;
+  constexpr int grain = 4;  // slices: the last one is mapped twice
+  const std::size_t slice = std::size_t(grid.dims.x) * std::size_t(grid.dims.y);
+  const int slices = int(std::clamp<std::size_t>(batch / slice, 1, std::size_t(grid.dims.z)));
+  Pass pass(grid, values);
+  for (int begin = 0; begin < grid.dims.z; begin += slices) {
+    const int end = std::min(begin + slices, grid.dims.z);
+    tbb::parallel_for(tbb::blocked_range<int>(begin, end, grain),
+                      [&](const auto& part) { pass.add(part.begin(), part.end()); });
+    tell(progress, double(end) / double(grid.dims.z));
   }
-  statistics.plateaus = find_plateaus(grid, values);
-  statistics.histogram = histogram_of(values, statistics.range, bins);
-  return statistics;
+  return pass.finish(bins);
 }
 
 std::optional<ValueRange> finite_range(const Volume& volume) {
@@ -111,22 +167,24 @@ void widen_range(Volume& volume, ValueRange range) {
   statistics.histogram = histogram_of(volume.values, wide, int(statistics.histogram.size()));
 }
 
+double largest_gradient(const Grid& grid, const VolumeStatistics& statistics) {
+  return glm::length(statistics.largest_difference / grid.spacing);
+}
+
 std::vector<std::uint64_t> histogram_of(const Voxels& values, ValueRange range, int bins) {
+  if (!values.are_floats()) return histogram_of(values, count_values(values), range, bins);
   using Counts = std::vector<std::uint64_t>;
-  const std::size_t size = std::size_t(std::max(bins, 1));
-  const double scale = range.width() > 0 ? double(size) / range.width() : 0;
-  tbb::enumerable_thread_specific<Counts> counts(Counts(size, 0));
+  const HistogramBins bin_of(range, bins);
+  tbb::enumerable_thread_specific<Counts> counts(Counts(bin_of.size(), 0));
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), chunk_size), [&](const auto& part) {
     Counts& mine = counts.local();
     std::vector<float> room;
-    for (const double v : values.part(part.begin(), part.size(), room)) {
-      if (!std::isfinite(v) || v < range.min || v > range.max) continue;
-      ++mine[std::min(std::size_t((v - range.min) * scale), size - 1)];
-    }
+    for (const double v : values.part(part.begin(), part.size(), room))
+      if (bin_of.has(v)) ++mine[bin_of(v)];
   });
-  Counts total(size, 0);
+  Counts total(bin_of.size(), 0);
   for (const Counts& part : counts) {
-    for (std::size_t i = 0; i < size; ++i) total[i] += part[i];
+    for (std::size_t i = 0; i < total.size(); ++i) total[i] += part[i];
   }
   return total;
 }

@@ -9,6 +9,7 @@
 
 #include "presets/transfer_function.h"
 #include "render/volume/grid_part.h"
+#include "render/volume/tell_share.h"
 #include "render/volume/voxels.h"
 
 namespace crest {
@@ -44,7 +45,9 @@ struct VolumeStatistics {
   glm::dvec3 largest_difference{0};
   /// Between these grid points, both ends included, lie all empty cells; max < min when there is none.
   glm::ivec3 empty_min{0}, empty_max{-1};
-  std::vector<float> plateaus;  ///< values that regions have throughout (plateaus.h), ascending
+  /// Values that regions have throughout, ascending: those of at least a thousandth of the cells, at all
+  /// eight corners. Of labels and masks, and of a background.
+  std::vector<float> plateaus;
 };
 
 /// Where a volume's voxels are, for other programs to read.
@@ -85,8 +88,9 @@ struct Volume {
 /// Histogram bins that a volume carries with it.
 inline constexpr int histogram_bins = 1024;
 
-/// `values` are those of the grid's points, x fastest.
-VolumeStatistics compute_statistics(const Grid& grid, const Voxels& values, int bins = histogram_bins);
+/// `values` are those of the grid's points, x fastest. On all cores; the result does not depend on how many.
+VolumeStatistics compute_statistics(const Grid& grid, const Voxels& values, int bins = histogram_bins,
+                                    const TellShare& progress = {});
 
 /// The range of its finite values; nothing when there is none.
 std::optional<ValueRange> finite_range(const Volume& volume);

@@ -6,7 +6,7 @@
 namespace crest {
 
 Voxels::Voxels(Stored stored, LinearMap map)
-    : stored_(std::make_shared<Stored>(std::move(stored))), map_(map), is_mapped_(map != LinearMap()) {}
+    : stored_(std::make_shared<Stored>(std::move(stored))), map_(map) {}
 
 std::size_t Voxels::size() const {
   return std::visit([](const auto& stored) { return stored.size(); }, *stored_);
@@ -25,8 +25,8 @@ std::span<const float> Voxels::part(std::size_t first, std::size_t count, std::v
     return std::span(*floats).subspan(first, count);
   room.resize(count);
   std::visit(
-      [&](const auto& stored) {
-        for (std::size_t i = 0; i < count; ++i) room[i] = value_of(stored[first + i]);
+      [&, map = map_](const auto& stored) {
+        for (std::size_t i = 0; i < count; ++i) room[i] = mapped_to_float(stored[first + i], map);
       },
       *stored_);
   return room;

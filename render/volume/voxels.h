@@ -7,13 +7,9 @@
 #include <variant>
 #include <vector>
 
-namespace crest {
+#include "render/volume/linear_map.h"
 
-/// What stored values are multiplied by, and what is added.
-struct LinearMap {
-  double slope = 1, intercept = 0;
-  bool operator==(const LinearMap&) const = default;
-};
+namespace crest {
 
 /// The values of a grid's points, each a float32, in no more bytes than their file has: integers of 8 and 16
 /// bits stay as they were stored, and are mapped when they are read. The mapped value is rounded once. Copies
@@ -35,7 +31,7 @@ class Voxels {
   bool empty() const { return size() == 0; }
   std::size_t byte_count() const;
   float operator[](std::size_t index) const {
-    return std::visit([&](const auto& stored) { return value_of(stored[index]); }, *stored_);
+    return std::visit([&](const auto& stored) { return mapped_to_float(stored[index], map_); }, *stored_);
   }
   /// The values from `first` on, to be read before the next call with this `room`.
   std::span<const float> part(std::size_t first, std::size_t count, std::vector<float>& room) const;
@@ -51,15 +47,8 @@ class Voxels {
   bool operator==(const Voxels& other) const;  ///< by value; NaN equals nothing
 
  private:
-  float value_of(float stored) const { return stored; }
-  template <class Integer>
-  float value_of(Integer stored) const {
-    return is_mapped_ ? float(double(stored) * map_.slope + map_.intercept) : float(stored);
-  }
-
   std::shared_ptr<Stored> stored_;  ///< never null; of several owners nobody changes it
   LinearMap map_;
-  bool is_mapped_ = false;
 };
 
 }  // namespace crest

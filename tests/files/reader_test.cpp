@@ -4,6 +4,7 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <thread>
@@ -52,6 +53,21 @@ TEST_F(FailingReader, ValuesAreTakenAsTheyAreStored) {
   EXPECT_EQ(load_volume(file + "?do=part", {.reader = bad_reader_program()}).part->full, glm::u64vec3(4));
 }
 
+TEST_F(FailingReader, HowMuchIsReadIsTold) {
+  const std::string file = write("v.nrrd", "");
+  std::vector<double> shares;
+  Reading reading;
+  reading.reader = bad_reader_program();
+  reading.progress = [&](double share) { shares.push_back(share); };
+  load_volume(file + "?do=told", reading);
+  ASSERT_GE(shares.size(), 6u);
+  EXPECT_TRUE(std::ranges::is_sorted(shares)) << "also where it went backward";
+  EXPECT_EQ(shares[0], 0);
+  EXPECT_NEAR(shares[1], shares[4] / 4, 1e-12);
+  EXPECT_GT(shares[5], shares[4]) << "the values are on their way";
+  EXPECT_EQ(shares.back(), 1);
+}
+
 TEST_F(FailingReader, ItsEndIsAnError) {
   EXPECT_EQ(error_of("abort"), "its reader failed (signal 6, Aborted)");
 #ifndef __SANITIZE_ADDRESS__  // which makes it exit code 1
@@ -84,8 +100,9 @@ TEST_F(FailingReader, AnAnswerIsHeldAgainstItself) {
   for (const char* what : {"short", "unfinished"})
     EXPECT_EQ(error_of(what), "its reader failed (it ended before its answer did)") << what;
   for (const char* what :
-       {"garbage", "deep", "endless", "count", "negative", "flat", "spacing", "other", "wide", "raw",
-        "doubles", "no slope", "other part", "no stride", "frame", "frames"})
+       {"garbage", "deep",   "endless",     "count",      "negative",    "flat",         "spacing",
+        "other",   "wide",   "raw",         "doubles",    "no slope",    "other part",   "no stride",
+        "frame",   "frames", "told beyond", "told below", "told a word", "told nothing", "told too often"})
     EXPECT_EQ(error_of(what), "its reader failed (its answer makes no sense)") << what;
   EXPECT_NE(error_of("huge").find("memory"), std::string::npos) << error_of("huge");
 }

@@ -146,6 +146,21 @@ TEST(ByValue, CellsWithoutAValueDoNotCount) {
   EXPECT_EQ(surface_area(measured(flat, 3)), (std::vector<double>{0, 0, 0}));
 }
 
+TEST(ByValue, OfStoredIntegersIsThatOfFloats) {
+  Volume volume;
+  volume.grid = {{17, 9, 8}, {1, 2, 0.5}, {0, 0, 0}};
+  std::vector<std::uint8_t> values(volume.grid.point_count());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::uint8_t(i * i % 251);
+  volume.values = Voxels(Voxels::Stored(values), {0.5, -3});
+  volume.statistics = compute_statistics(volume.grid, volume.values);
+  const ByValue stored = measured(volume, 32);
+  EXPECT_NEAR(std::accumulate(stored.volume.begin(), stored.volume.end(), 0.0), 16 * 8 * 7, 1e-9);
+  volume.values = volume.values.to_floats();
+  const ByValue floats = measured(volume, 32);
+  EXPECT_EQ(stored.volume, floats.volume);
+  EXPECT_EQ(stored.gradient, floats.gradient);
+}
+
 TEST(ByValue, AStopLeavesNothing) {
   std::stop_source source;
   source.request_stop();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 namespace crest {
@@ -53,6 +54,28 @@ TEST(Macrocells, BoundTheFieldOfEveryFilter) {
         EXPECT_GE(field, double(macrocells.min[index]) - 1e-6);
         EXPECT_LE(field, double(macrocells.max[index]) + 1e-6);
       }
+    }
+  }
+}
+
+// Stored integers are summed as they are: what is found is that of the same values as floats.
+TEST(Macrocells, OfStoredIntegersAreThoseOfFloats) {
+  std::mt19937 random(8);
+  for (const LinearMap map : {LinearMap(), LinearMap{-2, 30}, LinearMap{0.3, -1}, LinearMap{1e34, 0}}) {
+    Volume stored;
+    stored.grid.dims = {20, 11, 13};
+    std::vector<std::int16_t> values(stored.grid.point_count());
+    for (auto& value : values) value = std::int16_t(random() & 0xFFFF);
+    stored.values = Voxels(Voxels::Stored(values), map);
+    stored.statistics = compute_statistics(stored.grid, stored.values);
+    Volume floats = stored;
+    floats.values = stored.values.to_floats();
+    for (const FieldFilter filter : {FieldFilter{Filter::linear, 0, 0}, FieldFilter{Filter::bspline, 0, 0}}) {
+      const Macrocells a = build_macrocells(stored, filter, 3), b = build_macrocells(floats, filter, 3);
+      EXPECT_EQ(a.min, b.min) << map.slope;
+      EXPECT_EQ(a.max, b.max) << map.slope;
+      for (std::size_t i = 0; i < a.count(); ++i)
+        EXPECT_NEAR(a.deviation[i], b.deviation[i], 1e-6 * b.deviation[i]) << map.slope;
     }
   }
 }

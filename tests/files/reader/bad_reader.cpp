@@ -62,6 +62,12 @@ std::string with_frame(const std::string& frame) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
+/// How much it has read, each share on a line.
+std::string told(const std::vector<std::string>& shares) {
+  std::string text;
+  for (const std::string& share : shares) text += R"({"read":)" + share + "}\n";
+  return text;
+}
 [[noreturn]] void repeat() {
   while (true) {
     std::cout << R"({"expects":1000,"seconds":1000})" << std::endl;
@@ -126,6 +132,13 @@ int main(int argc, char** argv) {
   crest::Limits().allow(1000);
   const std::string voxels(8 * sizeof(float), '\0');
   if (what == "well") std::cout << volume() << voxels;
+  if (what == "told") std::cout << told({"0", "0.25", "0.5", "0.125", "1"}) << volume() << voxels;
+  if (what == "told beyond") std::cout << told({"0.5", "1.5"}) << volume() << voxels;
+  if (what == "told below") std::cout << told({"-0.5"}) << volume() << voxels;
+  if (what == "told a word") std::cout << told({R"("0.5")"}) << volume() << voxels;
+  if (what == "told nothing") std::cout << told({"null"}) << volume() << voxels;
+  if (what == "told too often")
+    std::cout << told(std::vector<std::string>(2000, "0.5")) << volume() << voxels;
   if (what == "abort") std::abort();
   if (what == "crash") std::raise(SIGSEGV);
   if (what == "loop") {
