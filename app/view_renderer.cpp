@@ -184,6 +184,7 @@ ViewRenderer::View* ViewRenderer::next_view() {
   for (std::size_t i = 1; i <= picture_count; ++i) {
     View& view = views_[(last_view_ + i) % picture_count];
     if (view.wanted.size.x <= 0 || !view.wanted.scene.volume || view.queued.size() >= most_queued) continue;
+    if (view.pass && view.pass->waits()) continue;
     const int rank = view.shown_version != view.wanted_version ? 0
                      : view.shown_stage == coarse              ? 1
                      : view.shown_stage == preview             ? 2
@@ -235,15 +236,32 @@ void ViewRenderer::begin_pass(View& view, bool interactive) {
   view.pass = std::move(pass);
 }
 
+Tile ViewRenderer::next_tile(const View& view, double wanted_ms) const {
+  const Pass& pass = *view.pass;
+  const glm::ivec2 size = pass.target->size();
+  const double ms_per_row = view.ms_per_pixel[pass.stage] * size.x;
+  const int rows = std::max(int(std::min(wanted_ms / ms_per_row, 1e6)), 4);
+  return {{0, pass.next_row}, {size.x, std::min(pass.next_row + rows, size.y)}};
+}
+
 void ViewRenderer::draw_slice(View& view, double wanted_ms) {
   Pass& pass = *view.pass;
+  if (!pass.begun) {
+    const Tile next = next_tile(view, wanted_ms);
+    if (auto known = renderer_.begin(pass.scene, pass.request.camera, *pass.target, next)) {
+      pass.begun.emplace(Pass::Begun{next, *std::move(known)});
+      return;
+    }
+  }
+  const Tile tile = pass.begun ? pass.begun->tile : next_tile(view, wanted_ms);
   const glm::ivec2 size = pass.target->size();
   const double ms_per_pixel = view.ms_per_pixel[pass.stage];
-  const int rows = std::max(int(std::min(wanted_ms / (ms_per_pixel * size.x), 1e6)), 4);
-  const Tile tile{{0, pass.next_row}, {size.x, std::min(pass.next_row + rows, size.y)}};
   const double pixels = double(tile.end.x) * (tile.end.y - tile.begin.y);
-  gl::QueryHandle time =
-      gl::time_on_device([&] { renderer_.draw(pass.scene, pass.request.camera, *pass.target, tile); });
+  gl::QueryHandle time = gl::time_on_device([&] {
+    renderer_.draw(pass.scene, pass.request.camera, *pass.target, tile,
+                   pass.begun ? &pass.begun->known : nullptr);
+  });
+  pass.begun.reset();
   view.queued.push_back(
       {std::move(time), ms_per_pixel * pixels, pixels, pass.stage, tile.begin.y == 0, tile.end.y == size.y});
   // A picture at full resolution appears as it grows

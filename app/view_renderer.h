@@ -44,6 +44,8 @@ class ViewRenderer {
   bool only_counts() const;
 
   ViewPicture picture(int view) const;
+  /// What picture() names; null while there is none.
+  const gl::DisplayTexture* display(int view) const { return views_[std::size_t(view)].display.get(); }
   /// From now on pictures in full are kept in float, or no longer; those that were not are drawn again.
   void keep_colors(bool keep) { keeps_colors_ = keep; }
   /// The picture in full, over no background; null while it is not done, or was not kept.
@@ -71,6 +73,13 @@ class ViewRenderer {
     int coarseness = 1;
     int next_row = 0;
     std::unique_ptr<gl::RenderTarget> target;
+    /// The next slice, where the device has to be asked about it first, and was.
+    struct Begun {
+      Tile tile;
+      gl::PendingBuffer known;
+    };
+    std::optional<Begun> begun;
+    bool waits() const { return begun && !begun->known.is_over(); }
   };
   /// Rows of a pass that the device was asked for.
   struct Slice {
@@ -116,6 +125,7 @@ class ViewRenderer {
   Stage next_stage(const View& view) const;
   void begin_pass(View& view, bool interactive);
   Scene scene_of(const ViewRequest& request, Stage stage, int coarseness);
+  Tile next_tile(const View& view, double slice_ms) const;
   void draw_slice(View& view, double slice_ms);
   void show_rows(const Pass& pass, gl::DisplayTexture& display, int first_row, int last_row);
   void finish_pass(View& view);
