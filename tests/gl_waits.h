@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <type_traits>
 #include <utility>
 
 namespace crest::testing {
@@ -40,9 +41,8 @@ class Watched<pointer, Result (*)(Arguments...)> {
   Before before_;
 };
 
-/// Counts the calls of this thread that wait until the graphics device is through with something, as long as
-/// it lives: pictures and textures that are read at once, buffers and times that are read before they are
-/// there.
+/// Counts the calls that wait until the graphics device is through with something, as long as it lives:
+/// pictures that are read at once, buffers and times that are read before they are there.
 class GlWaits {
  public:
   int count() const { return count_; }
@@ -51,12 +51,42 @@ class GlWaits {
   template <auto& pointer>
   using Watch = Watched<pointer, std::remove_reference_t<decltype(pointer)>>;
 
-  void note_fence() {  // of what was asked for last
-    if (written_) is_known_[std::exchange(written_, 0)] = true;
+  void read_buffer(GLuint id) {
+    const auto written = fences_.find(id);
+    const bool is_there =
+        written != fences_.end() && glClientWaitSync(written->second, 0, 0) != GL_TIMEOUT_EXPIRED;
+    if (!is_there) ++count_;
   }
+  void read_pixels() {
+    GLint buffer = 0;
+    glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &buffer);
+    written_ = GLuint(buffer);
+    if (buffer == 0) ++count_;
+  }
+  void read_query(GLuint id, GLenum what) {
+    GLint is_there = GL_FALSE;
+    glGetQueryObjectiv(id, GL_QUERY_RESULT_AVAILABLE, &is_there);
+    if (what == GL_QUERY_RESULT && !is_there) ++count_;
+  }
+  /// A fence is about the buffer that was written last; one of our own beside it tells as much.
+  void make_fence() {
+    if (written_) fences_[written_] = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  }
+
   int count_ = 0;
   GLuint written_ = 0;
-  std::map<GLuint, bool> is_known_;
+  std::map<GLuint, GLsync> fences_;
+  Watch<epoxy_glReadPixels> pixels_{[this](auto...) { read_pixels(); }};
+  Watch<epoxy_glGetTextureImage> image_{[this](auto...) { ++count_; }};
+  Watch<epoxy_glGetTextureSubImage> part_{[this](auto...) { ++count_; }};
+  Watch<epoxy_glGetTexImage> bound_image_{[this](auto...) { ++count_; }};
+  Watch<epoxy_glMapNamedBuffer> map_{[this](auto...) { ++count_; }};
+  Watch<epoxy_glMapNamedBufferRange> map_range_{[this](auto...) { ++count_; }};
+  Watch<epoxy_glFinish> finish_{[this] { ++count_; }};
+  Watch<epoxy_glGetNamedBufferSubData> buffer_{[this](GLuint id, auto...) { read_buffer(id); }};
+  Watch<epoxy_glGetQueryObjectui64v> time_{[this](GLuint id, GLenum what, auto) { read_query(id, what); }};
+  Watch<epoxy_glFenceSync> fence_{[this](auto...) { make_fence(); }};
+  Watch<epoxy_glBindBufferBase> storage_{[this](GLenum, GLuint, GLuint id) { written_ = id; }};
 };
 
 }  // namespace crest::testing

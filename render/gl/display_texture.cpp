@@ -17,6 +17,12 @@ DisplayTexture::DisplayTexture(glm::ivec2 size) : size_(size) {
   glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture_.id(), 0);
 }
 
+void DisplayTexture::enlarge(const DisplayTexture& small) {
+  glDisable(GL_SCISSOR_TEST);
+  glBlitNamedFramebuffer(small.framebuffer(), framebuffer(), 0, 0, small.size().x, small.size().y, 0, 0,
+                         size_.x, size_.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
 Presenter::Presenter() : program_(build_fullscreen_program("present.frag", {})) {}
 
 void Presenter::present(const RenderTarget& from, DisplayTexture& to, glm::vec3 background, int first_row,

@@ -17,6 +17,8 @@ class DisplayTexture {
   glm::ivec2 size() const { return size_; }
   GLuint texture() const { return texture_.id(); }
   GLuint framebuffer() const { return framebuffer_.id(); }
+  /// Shows the same as `small`, enlarged smoothly.
+  void enlarge(const DisplayTexture& small);
 
  private:
   glm::ivec2 size_;

@@ -63,9 +63,7 @@ PendingTrace begin_trace(Raycaster& raycaster, Scene scene, const Camera& camera
   scene.rendering.skipping = false;
   Need need = raycaster.need(scene, camera, size, true);
   if (need.is_empty()) return {};
-  if (need.features.bricks)
-    throw Error(
-        "a ray cannot be told step by step in a volume of which the graphics device holds only what shows");
+  need.needed.skipping |= need.features.bricks;  // of which those do that show: the others add nothing
   if (need.intervals > most_traced_steps)
     throw Error(fmt::format("up to {} steps along a ray are too many to be told one by one (at most {})",
                             need.intervals, most_traced_steps));

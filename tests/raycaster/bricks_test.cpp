@@ -1,5 +1,6 @@
 #include "render/volume/bricks.h"
 
+#include "render/raycaster/trace_ray.h"
 #include "render/resources/brick_atlas.h"
 #include "render/resources/volume_texture.h"
 #include "render/slices/slice_renderer.h"
@@ -97,6 +98,42 @@ TEST_F(BricksDrawn, MakeThePictureOfTheWholeVolume) {
     compare("preintegrated", filtered,
             [](Rendering& r) { r.classification = ClassificationMethod::preintegrated; });
   }
+}
+
+// Segments end at samples that lie as far beyond what shows as the longest step.
+TEST_F(BricksDrawn, ReachAsFarAsStepsThatGrow) {
+  Scene scene = scene_of(vessels(false));
+  scene.rendering.mode = Mode::dvr_only;
+  scene.rendering.classification = ClassificationMethod::preintegrated;
+  scene.rendering.step = 0.1;  // which these do not take
+  scene.rendering.placement = Placement::entry;
+  for (const auto& [sampling, s_k] :
+       {std::pair(Sampling::differential, 40.0), std::pair(Sampling::footprint, 8.0)}) {
+    scene.rendering.sampling = sampling;
+    scene.rendering.s_k = s_k;
+    const Need need = in_bricks.need(scene, sees_unit_cube, size, false);
+    EXPECT_GT(need.longest_step, 8);
+    EXPECT_LE(largest_difference(drawn(in_bricks, scene), drawn(raycaster, scene)), 1e-3);
+  }
+}
+
+TEST_F(BricksDrawn, ARayIsTracedAsInTheWholeVolume) {
+  const Scene scene = scene_of(vessels(false));
+  std::size_t crossings = 0;
+  for (int y = 4; y < size.y; y += 8)
+    for (int x = 4; x < size.x; x += 8) {
+      const auto parts = trace_ray(in_bricks, scene, sees_unit_cube, size, {x, y}),
+                 whole = trace_ray(raycaster, scene, sees_unit_cube, size, {x, y});
+      ASSERT_EQ(parts.size(), whole.size());
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        EXPECT_EQ(parts[i].depth, whole[i].depth);
+        EXPECT_EQ(parts[i].crossings, whole[i].crossings) << x << ' ' << y << ' ' << i;
+        for (int c = 0; c < 4; ++c) EXPECT_NEAR(parts[i].color[c], whole[i].color[c], 1e-3);
+      }
+      if (!whole.empty()) crossings += std::size_t(whole.back().crossings);
+    }
+  EXPECT_GT(crossings, 0U);
+  EXPECT_LT(in_bricks.need(scene, sees_unit_cube, size, false).brick_count, brick_count(scene.volume->grid));
 }
 
 TEST_F(BricksDrawn, AreAllHeldWhereNothingIsSkipped) {
