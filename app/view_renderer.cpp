@@ -260,7 +260,7 @@ void ViewRenderer::draw_slice(View& view, double wanted_ms, bool interactive) {
       {std::move(time), ms_per_pixel * pixels, pixels, pass.stage, tile.begin == glm::ivec2(0), is_last});
   // Enlarging a coarse picture takes long in a large view: not while the next one is to come
   const bool stays_small = view.shows_small && interactive;
-  if (pass.coarseness == 1 && view.shown_coarseness > 0 && !stays_small) show_slice(view, tile);
+  if (pass.coarseness == 1 && view.shown() && !stays_small) show_slice(view, tile);
   last_view_ = std::size_t(&view - views_.data());
   if (is_last) finish_pass(view);
   glFlush();  // the device begins
