@@ -100,20 +100,43 @@ TEST_F(BricksDrawn, MakeThePictureOfTheWholeVolume) {
   }
 }
 
-// Segments end at samples that lie as far beyond what shows as the longest step.
+/// What shows ends at x = 20. The next brick, from x = 32 on, shows nothing, and its first point is unlike
+/// the others.
+Ptr wall() {
+  Volume volume;
+  volume.name = "wall";
+  volume.grid = {{97, 34, 34}};
+  std::vector<std::uint8_t> stored;
+  for (std::size_t i = 0; i < volume.grid.point_count(); ++i) {
+    const std::size_t x = i % 97;
+    stored.push_back(x <= 20 ? 100 : x == 32 ? 0 : 59);
+  }
+  volume.values = Voxels(std::move(stored), {});
+  volume.statistics = compute_statistics(volume.grid, volume.values);
+  return std::make_shared<const Volume>(std::move(volume));
+}
+
+// A segment ends at a sample that lies as far beyond what shows as the longest step, whatever `step` is.
 TEST_F(BricksDrawn, ReachAsFarAsStepsThatGrow) {
-  Scene scene = scene_of(vessels(false));
+  Scene scene = scene_of(wall());
+  scene.tf = make_tf({point(0, 0), point(60, 0), point(100, 0.02), point(255, 0.02)}, 1);
   scene.rendering.mode = Mode::dvr_only;
   scene.rendering.classification = ClassificationMethod::preintegrated;
-  scene.rendering.step = 0.1;  // which these do not take
   scene.rendering.placement = Placement::entry;
-  for (const auto& [sampling, s_k] :
-       {std::pair(Sampling::differential, 40.0), std::pair(Sampling::footprint, 8.0)}) {
-    scene.rendering.sampling = sampling;
+  scene.rendering.sampling = Sampling::differential;
+  scene.rendering.step = 0.1;
+  const Camera along_x{{-100, 16, 16}, {48, 16, 16}, {0, 0, 1}, 30, Projection::parallel, {}};
+  const auto draw = [&](Raycaster& with) {
+    gl::RenderTarget target(size, false);
+    with.draw(scene, along_x, target);
+    return target.read_color();
+  };
+  for (const double s_k : {8, 9, 10, 11, 12}) {
     scene.rendering.s_k = s_k;
-    const Need need = in_bricks.need(scene, sees_unit_cube, size, false);
-    EXPECT_GT(need.longest_step, 8);
-    EXPECT_LE(largest_difference(drawn(in_bricks, scene), drawn(raycaster, scene)), 1e-3);
+    const Need need = in_bricks.need(scene, along_x, size, false);
+    EXPECT_TRUE(need.features.bricks);
+    EXPECT_GT(need.longest_step, 12);
+    EXPECT_LE(largest_difference(draw(in_bricks), draw(raycaster)), 1e-3) << s_k;
   }
 }
 
