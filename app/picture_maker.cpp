@@ -59,11 +59,14 @@ std::optional<std::string> save(const PictureJob& job, const std::stop_token& st
 }  // namespace
 
 std::filesystem::path numbered(const std::filesystem::path& path, int index, int count) {
-  if (count == 1) return path;
-  const int digits = std::max(3, int(fmt::format("{}", count).size()));
+  return count == 1 ? path : with_number(path, index + 1, count);
+}
+
+std::filesystem::path with_number(const std::filesystem::path& path, int number, int largest) {
+  const int digits = std::max(3, int(fmt::format("{}", largest).size()));
   std::filesystem::path name = path;
   name.replace_filename(
-      fmt::format("{}-{:0{}}{}", path.stem().string(), index + 1, digits, path.extension().string()));
+      fmt::format("{}-{:0{}}{}", path.stem().string(), number, digits, path.extension().string()));
   return name;
 }
 

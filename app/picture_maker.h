@@ -29,6 +29,9 @@ struct PictureJob {
 /// The name of one of the files: turn.png, or turn-001.png to turn-036.png.
 std::filesystem::path numbered(const std::filesystem::path& path, int index, int count);
 
+/// The same with any number, as many digits as `largest` has, at least three.
+std::filesystem::path with_number(const std::filesystem::path& path, int number, int largest);
+
 /// The camera after a part of a turn about what it looks at.
 Camera turned(const Camera& camera, int index, int count);
 

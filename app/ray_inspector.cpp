@@ -10,50 +10,64 @@
 #include "render/reference/answer.h"
 
 namespace crest {
-namespace {
-
-/// Of the scene in one mode, as its settings have it.
-InspectedRay inspect(Renderer& renderer, Scene scene, const Camera& camera, const RayAsk& ask, Mode mode,
-                     std::shared_ptr<const reference::EmptyCells>& empty_cells) {
-  scene.rendering = in_mode(scene.rendering, mode);
-  InspectedRay ray;
-  const ExactRays rays(scene, camera, ask.size, answers_of(scene.rendering).front(), empty_cells);
-  empty_cells = rays.empty_cells();
-  ray.exact = rays.at(ask.pixel);
-  try {
-    ray.steps = trace_ray(renderer.raycaster(), scene, camera, ask.size, ask.pixel);
-  } catch (const std::exception& error) {
-    ray.why_no_steps = error.what();
-  }
-  for (TracedStep& step : ray.steps) step.depth += ray.exact.enter;
-  ray.crossings = check_crossings(ray.exact, ray.steps);
-  return ray;
-}
-
-}  // namespace
 
 bool RayInspector::Subject::is(const Scene& other, const Camera& its_camera) const {
   return scene.volume == other.volume && scene.tf == other.tf && scene.rendering == other.rendering &&
          camera == its_camera;
 }
 
-bool RayInspector::is_busy() const { return wanted_ && std::ranges::count(wanted_->is_current, false) > 0; }
+bool RayInspector::is_busy() const { return wanted_ && (wanted_->tracing || std::ranges::count(wanted_->is_current, false) > 0); }
 
 void RayInspector::want(const Scene& scene, const Camera& camera, const RayAsk& ask) {
   if (wanted_ && wanted_->inspection.ask == ask && wanted_->subject.is(scene, camera)) return;
-  Wanted wanted{{scene, camera}, {ask, {}}, {}};
+  Wanted wanted{{scene, camera}, {ask, {}}, {}, {}};
   if (wanted_ && wanted_->inspection.ask == ask)
     wanted.inspection.modes = std::move(wanted_->inspection.modes);
   wanted_ = std::move(wanted);
 }
 
+/// Of the scene in one mode, as its settings have it.
+void RayInspector::begin(Renderer& renderer, std::size_t mode) {
+  const RayAsk& ask = wanted_->inspection.ask;
+  const Camera& camera = wanted_->subject.camera;
+  Scene scene = wanted_->subject.scene;
+  scene.rendering = in_mode(scene.rendering, view_modes[mode]);
+  const ExactRays rays(scene, camera, ask.size, answers_of(scene.rendering).front(), empty_cells_);
+  empty_cells_ = rays.empty_cells();
+  InspectedRay ray;
+  ray.exact = rays.at(ask.pixel);
+  PendingTrace steps;
+  try {
+    steps = begin_trace(renderer.raycaster(), scene, camera, ask.size, ask.pixel);
+  } catch (const std::exception& error) {
+    ray.why_no_steps = error.what();
+  }
+  wanted_->tracing.emplace(Wanted::Tracing{mode, std::move(ray), std::move(steps)});
+}
+
+void RayInspector::take() {
+  auto& [mode, ray, steps] = *wanted_->tracing;
+  try {
+    ray.steps = steps.steps();
+  } catch (const std::exception& error) {
+    ray.why_no_steps = error.what();
+  }
+  for (TracedStep& step : ray.steps) step.depth += ray.exact.enter;
+  ray.crossings = check_crossings(ray.exact, ray.steps);
+  wanted_->inspection.modes[mode] = std::move(ray);
+  wanted_->tracing.reset();
+}
+
 void RayInspector::work(Renderer& renderer) {
-  if (!is_busy()) return;
-  const std::size_t mode =
-      std::size_t(std::ranges::find(wanted_->is_current, false) - wanted_->is_current.begin());
-  wanted_->is_current[mode] = true;
-  wanted_->inspection.modes[mode] = inspect(renderer, wanted_->subject.scene, wanted_->subject.camera,
-                                            wanted_->inspection.ask, view_modes[mode], empty_cells_);
+  if (!wanted_) return;
+  auto& is_current = wanted_->is_current;
+  if (!wanted_->tracing) {
+    const auto old = std::ranges::find(is_current, false);
+    if (old == is_current.end()) return;
+    *old = true;
+    begin(renderer, std::size_t(old - is_current.begin()));
+  }
+  if (wanted_->tracing->steps.is_over()) take();
 }
 
 PickedPixel RayInspector::pick(const Scene& scene, const Camera& camera, const RayAsk& ask) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "render/raycaster/trace_ray.h"
 #include "render/renderer.h"
 #include "ui/ray_inspection.h"
 
@@ -18,7 +19,8 @@ class RayInspector {
   void clear() { wanted_.reset(); }
   /// And nothing of the volume is held.
   void forget() { *this = {}; }
-  /// Solves and traces one mode that is out of date, if there is one.
+  /// Solves one mode that is out of date, if there is one, and traces it; that is there in a later call, since
+  /// nothing waits for the device.
   void work(Renderer& renderer);
   bool is_busy() const;  ///< whether there is one
   /// What is known of the ray; null while nothing is wanted.
@@ -37,12 +39,21 @@ class RayInspector {
     Subject subject;
     RayInspection inspection;
     std::array<bool, view_count> is_current{};
+    struct Tracing {
+      std::size_t mode;
+      InspectedRay ray;
+      PendingTrace steps;
+    };
+    std::optional<Tracing> tracing;
   };
   struct Picking {
     Subject subject;
     ExactRays rays;
     PickedPixel last;
   };
+  void begin(Renderer& renderer, std::size_t mode);
+  void take();
+
   std::optional<Wanted> wanted_;
   std::unique_ptr<Picking> picking_;
   std::shared_ptr<const reference::EmptyCells> empty_cells_;  ///< of the volume that was looked at last

@@ -132,10 +132,21 @@ SharedVolume read_volume(const RenderOptions& options) {
   return options.scene.load();
 }
 
-void render_picture(RenderOptions options, const SharedVolume& loaded) {
+/// A volume, and the same in the range of its time steps, once a preset asked for that: all are read for it.
+struct LoadedVolume {
+  SharedVolume volume, in_range_of_steps = nullptr;
+};
+
+SharedVolume for_preset(const SceneOptions& options, LoadedVolume& loaded, const Preset& said) {
+  if (!options.depends_on_range(said)) return loaded.volume;
+  if (!loaded.in_range_of_steps) loaded.in_range_of_steps = options.in_range_of_steps(loaded.volume, said);
+  return loaded.in_range_of_steps;
+}
+
+void render_picture(RenderOptions options, LoadedVolume& loaded) {
   const double aspect = aspect_of(options.picture.pixels());
   const Preset said = options.scene.read_preset();
-  const SharedVolume volume = options.scene.in_range_of_steps(loaded, said);
+  const SharedVolume volume = for_preset(options.scene, loaded, said);
   const Preset preset = options.picture.with_exact(options.scene.for_volume(said, *volume, aspect));
   if (!options.error_bound.empty() && !is_exact(preset.rendering))
     throw UsageError("--error-bound", "only the exact march knows how far it may be off: add --exact");
@@ -150,7 +161,7 @@ void render_picture(RenderOptions options, const SharedVolume& loaded) {
   render(scene, camera, options);
 }
 
-/// Each time step, by the camera for the first one, in numbered files.
+/// Each time step, by the camera for the first one, in files with its number.
 void render_steps(const RenderOptions& all) {
   RenderOptions one = all;
   one.scene.frame = "0";
@@ -159,8 +170,13 @@ void render_steps(const RenderOptions& all) {
   const Preset said = all.scene.read_preset();
   const ValueRange range = all.scene.in_range_of_steps(volume, said)->statistics.range;
   const double aspect = aspect_of(all.picture.pixels());
-  const OffscreenContext context(all.picture.device);
-  Renderer renderer({}, program_folder());
+  const bool is_exact_answer = said.rendering.engine == Engine::reference;
+  std::optional<OffscreenContext> context;
+  std::optional<Renderer> renderer;
+  if (!is_exact_answer) {
+    context.emplace(all.picture.device);
+    renderer.emplace(std::filesystem::path(), program_folder());
+  }
   std::optional<Camera> camera;
   for (int i = 0; i < count; ++i) {
     one.scene.frame = fmt::format("{}", i);
@@ -169,8 +185,12 @@ void render_steps(const RenderOptions& all) {
     widen_range(*step, range);
     one.preset = all.picture.with_exact(all.scene.for_volume(said, *step, aspect));
     if (!camera) camera = camera_of(one.preset, step->grid, aspect);
-    one.picture.output = numbered(all.picture.output, i, count).string();
-    draw_and_write(renderer, make_scene(step, one.preset), *camera, one);
+    if (count > 1) one.picture.output = with_number(all.picture.output, i, count - 1).string();
+    const Scene scene = make_scene(step, one.preset);
+    if (is_exact_answer)
+      render_on_cpu(scene, *camera, one);
+    else
+      draw_and_write(*renderer, scene, *camera, one);
   }
 }
 
@@ -184,19 +204,19 @@ void render_and_watch(const RenderOptions& options) {
   preset_watch.has_changed(preset_file);
   volume_watch.has_changed(volume_file);
   const Interrupt interrupt;
-  const auto draw = [&](const SharedVolume& volume) {
-    render_picture(options, volume);
+  LoadedVolume loaded{read_volume(options)};
+  const auto draw = [&] {
+    render_picture(options, loaded);
     fmt::print(stderr, "crest: {} is drawn; waiting for changes (Ctrl-C ends)\n", options.picture.output);
   };
-  SharedVolume volume = read_volume(options);
-  draw(volume);
+  draw();
   while (!interrupt.is_requested()) {
     std::this_thread::sleep_for(between_looks);
     const bool is_volume_new = volume_watch.has_changed(volume_file);
     if (!preset_watch.has_changed(preset_file) && !is_volume_new) continue;
     try {
-      if (is_volume_new) volume = read_volume(options);
-      draw(volume);
+      if (is_volume_new) loaded = {read_volume(options)};
+      draw();
     } catch (const std::exception& error) {
       fmt::print(stderr, "crest: {}\n", printable(error.what()));  // what was drawn last stays
     }
@@ -266,8 +286,10 @@ void add_render_command(Options app, Command& chosen) {
         render_steps(*options);
       else if (options->watch)
         render_and_watch(*options);
-      else
-        render_picture(*options, read_volume(*options));
+      else {
+        LoadedVolume loaded{read_volume(*options)};
+        render_picture(*options, loaded);
+      }
     };
   });
 }

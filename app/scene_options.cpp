@@ -112,10 +112,13 @@ std::shared_ptr<const Volume> SceneOptions::load() const {
   return std::make_shared<const Volume>(load_volume(source()));
 }
 
+bool SceneOptions::depends_on_range(const Preset& said) const {
+  return fit_range || said.transfer_function.domain == Domain::normalized;
+}
+
 std::shared_ptr<const Volume> SceneOptions::in_range_of_steps(std::shared_ptr<const Volume> loaded,
                                                               const Preset& said) const {
-  const bool depends = fit_range || said.transfer_function.domain == Domain::normalized;
-  if (loaded->frames < 2 || !depends) return loaded;
+  if (loaded->frames < 2 || !depends_on_range(said)) return loaded;
   auto wide = std::make_shared<Volume>(*loaded);
   widen_range(*wide, range_of_steps(volume, *loaded));
   return wide;

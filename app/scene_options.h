@@ -33,6 +33,8 @@ struct SceneOptions {
   bool is_of_all_frames() const { return frame == "all"; }
   /// source(), read.
   std::shared_ptr<const Volume> load() const;
+  /// Whether the values of the preset's TF are told by the volume's range.
+  bool depends_on_range(const Preset& said) const;
   /// The volume in the range of all its time steps, where that is what the preset's values depend on.
   std::shared_ptr<const Volume> in_range_of_steps(std::shared_ptr<const Volume> loaded,
                                                   const Preset& said) const;

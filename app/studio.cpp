@@ -120,6 +120,7 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.library) change_library(*requests.library);
   if (!quit_) return;
   keep_thumbnails();
+  take_left_pictures(true);
   autosave_.end();  // saved, or discarded by choice
 }
 

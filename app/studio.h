@@ -61,21 +61,24 @@ class Studio {
     return loader_.has_thread() || place_match_.has_thread() || steps_.has_thread();
   }
   bool is_drawing() const {
-    return views_.is_busy() || rays_.is_busy();
-  }  ///< a view, or the inspected ray, is not done
+    return views_.is_busy() || rays_.is_busy() || awaits_numbers();
+  }  ///< a view, the inspected ray, or a number about them, is not done
   /// Drawing is done but for what the device still counts.
-  bool awaits_counts() const { return views_.only_counts() && !rays_.is_busy(); }
+  bool awaits_counts() const {
+    return (views_.only_counts() || (!views_.is_busy() && awaits_numbers())) && !rays_.is_busy();
+  }
   bool animates() const { return animates_; }  ///< the window changes by itself, each blink_s
   /// Something of the work in the background may come up soon, has come up.
   bool is_measuring() const {
     return sweep_.is_active() || choice_.is_running() || matters_.is_active() || thumbnail_maker_.is_busy() ||
-           picture_maker_.is_busy() || raw_preview_.is_busy() || place_match_.is_busy() || steps_.is_active();
+           picture_maker_.is_busy() || raw_preview_.is_busy() || place_match_.is_busy() || steps_.is_active() ||
+           !left_pictures_.empty();
   }
   bool has_news() const {
     const auto now = BackgroundSweep::Clock::now();
     return sweep_.has_news(now) || choice_.has_news() || matters_.has_news(now) ||
            thumbnail_maker_.has_news() || picture_maker_.has_news() || raw_preview_.has_news() ||
-           place_match_.has_news() || steps_.has_news(now);
+           place_match_.has_news() || steps_.has_news(now) || has_left_picture();
   }
   std::string title() const;
   const Document& document() const { return document_; }
@@ -119,6 +122,8 @@ class Studio {
   void close_volume();
   void add_start_pictures(StudioInputs& inputs);
   void keep_thumbnails();
+  void take_left_pictures(bool waits);
+  bool has_left_picture() const;
   void read_library();
   void follow_rename(const std::filesystem::path& from, const std::filesystem::path& to,
                      const std::string& title);
@@ -147,6 +152,7 @@ class Studio {
   std::array<ViewRequest, picture_count> view_requests(const StudioRequests& requests) const;
   void update_rays(const StudioRequests& requests, bool interactive);
   void save_ray_to(const std::filesystem::path& path);
+  bool awaits_numbers() const { return difference_.is_busy() || export_picture_.is_busy(); }
   void update_difference(const StudioRequests& requests, bool interactive);
   void carry_over(CarryBy by);
   void take_place_match();
@@ -189,6 +195,12 @@ class Studio {
   RecentFiles recent_;
   ThumbnailStore thumbnails_;
   ThumbnailMaker thumbnail_maker_;
+  /// What was on view when it was left, on its way to a thumbnail.
+  struct LeftPicture {
+    std::vector<std::string> keys;
+    gl::PendingRead picture;
+  };
+  std::vector<LeftPicture> left_pictures_;
   PresetFolder own_presets_;
   std::vector<LibraryEntry> library_;
   std::vector<std::string> library_texts_;  ///< of the presets in it, which their pictures are found by

@@ -50,6 +50,8 @@ ReadSettings settings_for(const StudioOptions& options) {
 }
 
 constexpr double interactive_ms = 3;  ///< for the views, in a frame in which the person acts: it stays live
+constexpr double interactive_share = 0.25;  ///< or of the last frame: where the window itself takes long
+constexpr double most_interactive_ms = 30;
 constexpr double resting_ms = 80;
 constexpr double rest_after_s = 0.25;       ///< since the last input
 constexpr int settling_frames = 3;          ///< that Dear ImGui takes to show what an input did
@@ -81,6 +83,7 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
   std::optional<Look> look;
   Clock::time_point last_input = Clock::now();
   int settling = settling_frames;
+  double frame_ms = 0;
   while (!studio.wants_to_quit()) {
     // At rest the program sleeps; while a volume is read, or something is measured, it looks up now and then
     const bool works = settling > 0 || studio.is_drawing();
@@ -118,12 +121,13 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
     }
     window.begin_frame();
     for (const auto& dropped : window.take_dropped()) studio.open(dropped);
-    studio.frame(window.take_close_request(), interactive ? interactive_ms : resting_ms, interactive);
+    const double moving_ms = std::clamp(interactive_share * frame_ms, interactive_ms, most_interactive_ms);
+    studio.frame(window.take_close_request(), interactive ? moving_ms : resting_ms, interactive);
     window.end_frame();
     window.set_title(studio.title());
     if (settling > 0 && !studio.is_drawing() && !studio.is_loading()) --settling;
 
-    const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     studio.set_performance_text(fmt::format("{:.0f} ms a frame", frame_ms));
     if (window.is_mouse_down()) log.add_frame(frame_ms);
     log.add_versions(begin, studio.views().wanted_versions(), studio.views().shown_versions());

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "app/sources.h"
@@ -31,27 +32,46 @@ void Studio::add_start_pictures(StudioInputs& inputs) {
 void Studio::keep_thumbnails() {
   if (!loaded_.volume) return;
   const auto wanted = views_.wanted_versions(), shown = views_.shown_versions();
-  std::uintptr_t texture = 0;
+  const gl::DisplayTexture* kept = nullptr;
   for (int i = 0; i < view_count; ++i) {
     const std::size_t at = std::size_t(i);
-    const ViewPicture view = views_.picture(i);
-    if (view.texture == 0 || wanted[at] != shown[at] || view.coarseness > 1) continue;
+    const gl::DisplayTexture* display = views_.display(i);
+    if (!display || wanted[at] != shown[at] || views_.picture(i).coarseness > 1) continue;
     const ViewContent& content = ui_->views.contents[at];
     if (content.other) continue;
-    if (texture == 0 || content.mode == document_.preset.rendering.mode) texture = view.texture;
+    if (!kept || content.mode == document_.preset.rendering.mode) kept = display;
   }
-  if (texture == 0) return;
-  const Thumbnail thumbnail = thumbnail_of_texture(GLuint(texture));
-  const auto put = [&](const std::string& key) {
-    thumbnails_.show(key, thumbnail);
-    thumbnail_maker_.keep(key, thumbnail);
-  };
-  put(recent_key(loaded_.source));
-  if (!document_.preset_path.empty()) put(recent_key(document_.preset_path.string()));
+  if (!kept) return;
+  try {
+    LeftPicture left{{recent_key(loaded_.source)}, gl::PendingRead(*kept)};
+    if (!document_.preset_path.empty()) left.keys.push_back(recent_key(document_.preset_path.string()));
+    left_pictures_.push_back(std::move(left));
+  } catch (const std::exception&) {
+    // No room: the picture of an earlier look stays
+  }
+}
+
+/// Those that the device is through with; when the program ends, all.
+void Studio::take_left_pictures(bool waits) {
+  std::erase_if(left_pictures_, [&](const LeftPicture& left) {
+    if (!waits && !left.picture.is_over()) return false;
+    const Thumbnail thumbnail = shrunk(left.picture.shown(), left.picture.size());
+    for (const std::string& key : left.keys) {
+      thumbnails_.show(key, thumbnail);
+      thumbnail_maker_.keep(key, thumbnail);
+    }
+    return true;
+  });
+}
+
+bool Studio::has_left_picture() const {
+  return std::ranges::any_of(left_pictures_, [](const LeftPicture& left) { return left.picture.is_over(); });
 }
 
 /// Before the panels are drawn, so that they show them.
 void Studio::take_thumbnails() {
+  thumbnails_.begin_frame();
+  take_left_pictures(false);
   for (const ThumbnailMaker::Made& made : thumbnail_maker_.take()) thumbnails_.show(made.key, made.thumbnail);
 }
 

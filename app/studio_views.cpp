@@ -61,10 +61,12 @@ std::array<ViewRequest, picture_count> Studio::view_requests(const StudioRequest
 
 void Studio::update_difference(const StudioRequests& requests, bool interactive) {
   const bool is_wanted = requests.comparison && requests.comparison->takes_difference();
-  if (is_wanted)
+  if (!is_wanted) return difference_.clear();
+  try {
     difference_.update(views_, *requests.comparison, !interactive);
-  else
-    difference_.clear();
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
 }
 
 void Studio::update_slices(const StudioRequests& requests) {

@@ -23,7 +23,7 @@ std::pair<int, int> under(int i, int count, int from, int length) {
 
 }  // namespace
 
-Thumbnail shrunk(std::span<const std::uint8_t> rgba, glm::ivec2 size) {
+Thumbnail shrunk(std::span<const glm::u8vec4> rgba, glm::ivec2 size) {
   Thumbnail small;
   if (size.x < 1 || size.y < 1) return small;
   const glm::ivec2 part{std::clamp(size.y * width / height, 1, size.x),
@@ -37,7 +37,7 @@ Thumbnail shrunk(std::span<const std::uint8_t> rgba, glm::ivec2 size) {
       for (int v = top; v < bottom; ++v)
         for (int u = left; u < right; ++u)
           for (int c = 0; c < 3; ++c)
-            sum[c] += rgba[4 * (std::size_t(v) * std::size_t(size.x) + std::size_t(u)) + std::size_t(c)];
+            sum[c] += rgba[std::size_t(v) * std::size_t(size.x) + std::size_t(u)][c];
       const auto count = std::uint64_t(right - left) * std::uint64_t(bottom - top);
       for (int c = 0; c < 3; ++c)
         small.rgb[std::size_t(3 * (y * width + x) + c)] = std::uint8_t((sum[c] + count / 2) / count);

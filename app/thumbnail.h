@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <span>
@@ -23,7 +24,7 @@ struct Thumbnail {
 
 /// The middle of an RGBA picture in the thumbnail's shape, shrunk by the mean of the pixels under each of its
 /// own; of smaller pictures, the nearest pixel.
-Thumbnail shrunk(std::span<const std::uint8_t> rgba, glm::ivec2 size);
+Thumbnail shrunk(std::span<const glm::u8vec4> rgba, glm::ivec2 size);
 
 /// A picture of thumbnail_size, over a background.
 Thumbnail thumbnail_of(const Image& image, glm::vec3 background);

@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "render/files/folder_cache.h"
 #include "render/gl/texture.h"
@@ -29,29 +31,33 @@ std::filesystem::path ThumbnailStore::file_of(const std::string& key) const {
   return folder_ / fmt::format("{:016x}.png", XXH64(key.data(), key.size(), 0));
 }
 
+void ThumbnailStore::begin_frame(std::size_t most) {
+  std::vector<std::uint64_t> frames;
+  if (textures_.size() > most) {
+    for (const auto& [key, held] : textures_) frames.push_back(held.last_frame);
+    std::ranges::nth_element(frames, frames.begin() + std::ptrdiff_t(frames.size() - most - 1));
+    const std::uint64_t newest_to_go = std::min(frames[frames.size() - most - 1], frame_ - 1);
+    std::erase_if(textures_, [&](const auto& entry) { return entry.second.last_frame <= newest_to_go; });
+  }
+  ++frame_;
+}
+
 std::uintptr_t ThumbnailStore::texture(const std::string& key) {
   const auto [found, is_new] = textures_.try_emplace(key);
+  Held& held = found->second;
+  held.last_frame = frame_;
   if (is_new && !folder_.empty())
     if (const auto png = read_cached(file_of(key), most_bytes))
-      if (const auto thumbnail = thumbnail_from_png(*png)) found->second = upload(*thumbnail);
-  return found->second.id();
+      if (const auto thumbnail = thumbnail_from_png(*png)) held.texture = upload(*thumbnail);
+  return held.texture.id();
 }
 
 void ThumbnailStore::show(const std::string& key, const Thumbnail& thumbnail) {
-  textures_.insert_or_assign(key, upload(thumbnail));
+  textures_.insert_or_assign(key, Held{upload(thumbnail), frame_});
 }
 
 void ThumbnailStore::write(const std::string& key, const Thumbnail& thumbnail) const {
   if (!folder_.empty()) write_cached(file_of(key), png_of(thumbnail), most_bytes);
-}
-
-Thumbnail thumbnail_of_texture(GLuint texture) {
-  glm::ivec2 size{0};
-  glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_WIDTH, &size.x);
-  glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_HEIGHT, &size.y);
-  std::vector<std::uint8_t> rgba(4 * std::size_t(size.x) * std::size_t(size.y));
-  glGetTextureImage(texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(rgba.size()), rgba.data());
-  return shrunk(rgba, size);
 }
 
 }  // namespace crest

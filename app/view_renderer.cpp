@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 
+#include "app/next_slice.h"
 #include "presets/choices.h"
 #include "render/measure/timing.h"
 #include "render/notes.h"
@@ -20,8 +21,6 @@ constexpr double slice_ms = 8;
 /// So many slices of a view may wait for the device: one that it draws, and one to go on with.
 constexpr std::size_t most_queued = 2;
 constexpr int coarsest = 16;
-/// Costs are counted on a picture this much smaller than the view.
-constexpr int count_coarseness = 8;
 
 glm::ivec2 coarse_size(glm::ivec2 size, int coarseness) { return (size + coarseness - 1) / coarseness; }
 
@@ -94,6 +93,7 @@ void ViewRenderer::work(const std::array<ViewRequest, picture_count>& requests, 
     if (!keep) view.pass.reset();
   }
   for (View& view : views_) {
+    view.last.clear();
     if (keeps_colors_ && is_done(view) && !view.full && view.error.empty()) view.shown_stage = preview;
     if (!keeps_colors_ && view.is_counted) view.full.reset();
   }
@@ -114,7 +114,7 @@ void ViewRenderer::work(const std::array<ViewRequest, picture_count>& requests, 
         view->need = renderer_.need(view->wanted.scene, view->wanted.camera, view->wanted.size);
         begin_pass(*view, interactive);
       }
-      draw_slice(*view, interactive ? slice_ms : std::max(slice_ms, budget_ms / 2));
+      draw_slice(*view, interactive ? slice_ms : std::max(slice_ms, budget_ms / 2), interactive);
     } catch (const std::exception& error) {
       give_up(*view, error.what());
     }
@@ -184,6 +184,7 @@ ViewRenderer::View* ViewRenderer::next_view() {
   for (std::size_t i = 1; i <= picture_count; ++i) {
     View& view = views_[(last_view_ + i) % picture_count];
     if (view.wanted.size.x <= 0 || !view.wanted.scene.volume || view.queued.size() >= most_queued) continue;
+    if (view.pass && view.pass->waits()) continue;
     const int rank = view.shown_version != view.wanted_version ? 0
                      : view.shown_stage == coarse              ? 1
                      : view.shown_stage == preview             ? 2
@@ -235,24 +236,55 @@ void ViewRenderer::begin_pass(View& view, bool interactive) {
   view.pass = std::move(pass);
 }
 
-void ViewRenderer::draw_slice(View& view, double wanted_ms) {
+void ViewRenderer::draw_slice(View& view, double wanted_ms, bool interactive) {
   Pass& pass = *view.pass;
   const glm::ivec2 size = pass.target->size();
   const double ms_per_pixel = view.ms_per_pixel[pass.stage];
-  const int rows = std::max(int(std::min(wanted_ms / (ms_per_pixel * size.x), 1e6)), 4);
-  const Tile tile{{0, pass.next_row}, {size.x, std::min(pass.next_row + rows, size.y)}};
-  const double pixels = double(tile.end.x) * (tile.end.y - tile.begin.y);
-  gl::QueryHandle time =
-      gl::time_on_device([&] { renderer_.draw(pass.scene, pass.request.camera, *pass.target, tile); });
+  const Tile next = next_slice(size, pass.next, wanted_ms / ms_per_pixel);
+  if (!pass.begun) {
+    if (auto known = renderer_.begin(pass.scene, pass.request.camera, *pass.target, next)) {
+      pass.begun.emplace(Pass::Begun{next, *std::move(known)});
+      return;
+    }
+  }
+  const Tile tile = pass.begun ? pass.begun->tile : next;
+  const double pixels = double(tile.end.x - tile.begin.x) * (tile.end.y - tile.begin.y);
+  gl::QueryHandle time = gl::time_on_device([&] {
+    renderer_.draw(pass.scene, pass.request.camera, *pass.target, tile,
+                   pass.begun ? &pass.begun->known : nullptr);
+  });
+  pass.begun.reset();
+  pass.next = after(tile, size);
+  const bool is_last = pass.next.y == size.y;
   view.queued.push_back(
-      {std::move(time), ms_per_pixel * pixels, pixels, pass.stage, tile.begin.y == 0, tile.end.y == size.y});
-  // A picture at full resolution appears as it grows
-  if (pass.coarseness == 1 && view.display && view.display->size() == size)
-    show_rows(pass, *view.display, tile.begin.y, tile.end.y);
-  pass.next_row = tile.end.y;
+      {std::move(time), ms_per_pixel * pixels, pixels, pass.stage, tile.begin == glm::ivec2(0), is_last});
+  // Enlarging a coarse picture takes long in a large view: not while the next one is to come
+  const bool stays_small = view.shows_small && interactive;
+  if (pass.coarseness == 1 && view.shown() && !stays_small) show_slice(view, tile);
   last_view_ = std::size_t(&view - views_.data());
-  if (pass.next_row == size.y) finish_pass(view);
+  if (is_last) finish_pass(view);
   glFlush();  // the device begins
+}
+
+gl::DisplayTexture& ViewRenderer::make_display(View& view, std::unique_ptr<gl::DisplayTexture>& display,
+                                               glm::ivec2 size) {
+  if (display && display->size() == size) return *display;
+  if (display) view.last.push_back(std::move(display));
+  display = std::make_unique<gl::DisplayTexture>(size);
+  return *display;
+}
+
+/// A picture at full resolution appears as it grows, over what was shown before.
+void ViewRenderer::show_slice(View& view, const Tile& slice) {
+  const Pass& pass = *view.pass;
+  const glm::ivec2 size = pass.target->size();
+  if (view.shows_small) {
+    make_display(view, view.display, size).enlarge(*view.small);
+    view.shows_small = false;
+    if (slice.begin.y > 0) show_rows(pass, *view.display, 0, slice.begin.y);
+  }
+  if (slice.end.x == size.x && view.display->size() == size)
+    show_rows(pass, *view.display, slice.begin.y, slice.end.y);
 }
 
 void ViewRenderer::show_rows(const Pass& pass, gl::DisplayTexture& display, int first_row, int last_row) {
@@ -266,60 +298,13 @@ void ViewRenderer::show_rows(const Pass& pass, gl::DisplayTexture& display, int 
 void ViewRenderer::finish_pass(View& view) {
   Pass pass = std::move(*view.pass);
   view.pass.reset();
-  const glm::ivec2 size = pass.request.size;
-  if (!view.display || view.display->size() != size)
-    view.display = std::make_unique<gl::DisplayTexture>(size);
-  show_rows(pass, *view.display, 0, size.y);
+  const glm::ivec2 size = pass.target->size();
+  view.shows_small = pass.coarseness > 1;
+  show_rows(pass, make_display(view, view.shows_small ? view.small : view.display, size), 0, size.y);
   view.shown_version = pass.version;
   view.shown_stage = pass.stage;
   view.shown_coarseness = pass.coarseness;
   if (pass.stage == full) view.full = std::move(pass.target);
-}
-
-// What a picture costs may stay unknown: the picture is there.
-void ViewRenderer::begin_counting(View& view) try {
-  gl::RenderTarget target(coarse_size(view.wanted.size, count_coarseness), true);
-  PendingCounts counts = renderer_.begin_counts(view.wanted.scene, view.wanted.camera, target);
-  view.counting.emplace(Counting{
-      std::move(counts), gl::PendingRead(target, gl::PendingRead::What::color), {}, view.wanted.size});
-} catch (const std::exception&) {
-  view.counts = {};
-  end_counting(view);
-}
-
-void ViewRenderer::take_counts() {
-  for (View& view : views_) try {
-      if (view.counting) take_counts(view);
-    } catch (const std::exception&) {
-      view.counts = {};
-      end_counting(view);
-    }
-}
-
-// The small picture may miss what is as small as its pixels: where it shows nothing, the one in full is read.
-void ViewRenderer::take_counts(View& view) {
-  Counting& counting = *view.counting;
-  if (!counting.counts.is_over() || !counting.small.is_over()) return;
-  const Scene& scene = view.wanted.scene;
-  const glm::vec3 background(scene.rendering.background);
-  if (!counting.full) {
-    view.counts = sum_of(counting.counts.take());
-    const Image small{coarse_size(view.wanted.size, count_coarseness), counting.small.color()};
-    if (!has_visible_pixel(small, background) && view.full)
-      counting.full.emplace(*view.full, gl::PendingRead::What::color);
-  }
-  if (counting.full) {
-    if (!counting.full->is_over()) return;
-    if (!has_visible_pixel({counting.full_size, counting.full->color()}, background))
-      view.nothing_visible = why_nothing_is_visible(scene, view.wanted.camera, view.wanted.size);
-  }
-  end_counting(view);
-}
-
-void ViewRenderer::end_counting(View& view) {
-  if (!keeps_colors_) view.full.reset();
-  view.is_counted = true;
-  view.counting.reset();
 }
 
 const gl::RenderTarget* ViewRenderer::colors(int index) const {
@@ -333,13 +318,13 @@ ViewPicture ViewRenderer::picture(int index) const {
   picture.need = view.need;
   picture.warnings = view.warnings;
   if (!view.nothing_visible.empty()) picture.warnings.push_back(view.nothing_visible);
-  if (!view.display) return picture;
+  if (!view.shown()) return picture;
   const bool done = is_done(view);
-  picture.texture = view.display->texture();
+  picture.texture = view.shown()->texture();
   picture.coarseness = std::max(view.shown_coarseness, 1);
   picture.progress = done ? 1
                      : view.pass && view.pass->stage == full
-                         ? double(view.pass->next_row) / view.pass->target->size().y
+                         ? double(view.pass->next.y) / view.pass->target->size().y
                          : 0;
   picture.frame_ms = view.frame_ms;
   picture.is_exact = is_exact(view.wanted.scene.rendering);

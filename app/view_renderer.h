@@ -44,6 +44,8 @@ class ViewRenderer {
   bool only_counts() const;
 
   ViewPicture picture(int view) const;
+  /// What picture() names; null while there is none.
+  const gl::DisplayTexture* display(int view) const { return views_[std::size_t(view)].shown(); }
   /// From now on pictures in full are kept in float, or no longer; those that were not are drawn again.
   void keep_colors(bool keep) { keeps_colors_ = keep; }
   /// The picture in full, over no background; null while it is not done, or was not kept.
@@ -69,8 +71,15 @@ class ViewRenderer {
     Stage stage = full;
     Scene scene;  ///< of the request, as this stage draws it
     int coarseness = 1;
-    int next_row = 0;
+    glm::ivec2 next{0};  ///< where the next slice begins
     std::unique_ptr<gl::RenderTarget> target;
+    /// The next slice, where the device has to be asked about it first, and was.
+    struct Begun {
+      Tile tile;
+      gl::PendingBuffer known;
+    };
+    std::optional<Begun> begun;
+    bool waits() const { return begun && !begun->known.is_over(); }
   };
   /// Rows of a pass that the device was asked for.
   struct Slice {
@@ -84,7 +93,6 @@ class ViewRenderer {
     PendingCounts counts;
     gl::PendingRead small;
     std::optional<gl::PendingRead> full;  ///< where the small one shows nothing
-    glm::ivec2 full_size;
   };
   struct View {
     ViewRequest wanted;
@@ -96,7 +104,12 @@ class ViewRenderer {
     int shown_coarseness = 0;  ///< 0: nothing is shown
     std::optional<Pass> pass;
     std::deque<Slice> queued;  ///< what the device may not be through with
-    std::unique_ptr<gl::DisplayTexture> display;
+    /// A coarse picture, which the window enlarges, and one at full resolution; which of them is shown.
+    std::unique_ptr<gl::DisplayTexture> small, display;
+    bool shows_small = false;
+    /// Of other sizes: the frame that is being drawn may name them.
+    std::vector<std::unique_ptr<gl::DisplayTexture>> last;
+    const gl::DisplayTexture* shown() const { return shows_small ? small.get() : display.get(); }
     std::array<double, stage_count> ms_per_pixel{1e-3, 1e-3, 1e-3};  ///< guesses; measured from then on
     double frame_ms = 0, pass_ms = 0;  ///< of the last picture in full; of what is known of a pass
     PictureNeed need;
@@ -116,7 +129,9 @@ class ViewRenderer {
   Stage next_stage(const View& view) const;
   void begin_pass(View& view, bool interactive);
   Scene scene_of(const ViewRequest& request, Stage stage, int coarseness);
-  void draw_slice(View& view, double slice_ms);
+  void draw_slice(View& view, double slice_ms, bool interactive);
+  gl::DisplayTexture& make_display(View& view, std::unique_ptr<gl::DisplayTexture>& display, glm::ivec2 size);
+  void show_slice(View& view, const Tile& slice);
   void show_rows(const Pass& pass, gl::DisplayTexture& display, int first_row, int last_row);
   void finish_pass(View& view);
   void begin_counting(View& view);

@@ -27,16 +27,39 @@ Renderer::Renderer(std::filesystem::path shader_folder, std::filesystem::path pr
       vdls_(resources_) {}
 
 void Renderer::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
-  gl::forget_errors();
-  if (is_drawn_by_vdls(scene))
-    vdls_.draw(scene, camera, target, tile);
-  else
-    raycaster_.draw(scene, camera, target, tile);
-  gl::require_no_error("drawing", target.size());
+  draw(scene, camera, target, tile, nullptr);
 }
 
 void Renderer::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
   draw(scene, camera, target, Tile{{0, 0}, target.size()});
+}
+
+std::optional<gl::PendingBuffer> Renderer::begin(const Scene& scene, const Camera& camera,
+                                                 gl::RenderTarget& target, Tile tile) {
+  if (!is_drawn_by_vdls(scene)) return std::nullopt;
+  gl::forget_errors();
+  std::optional<gl::PendingBuffer> begun = vdls_.begin(scene, camera, target, tile);
+  gl::require_no_error("drawing", target.size());
+  return begun;
+}
+
+void Renderer::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
+                    const gl::PendingBuffer* begun) {
+  gl::forget_errors();
+  if (!is_drawn_by_vdls(scene))
+    raycaster_.draw(scene, camera, target, tile);
+  else if (begun)
+    vdls_.draw(scene, camera, target, tile, *begun);
+  else
+    vdls_.draw(scene, camera, target, tile);
+  gl::require_no_error("drawing", target.size());
+}
+
+void Renderer::draw_at_once(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
+  if (!is_drawn_by_vdls(scene)) return draw(scene, camera, target);
+  gl::forget_errors();
+  vdls_.draw_at_once(scene, camera, target);
+  gl::require_no_error("drawing", target.size());
 }
 
 std::vector<PixelCounts> Renderer::draw_counts(const Scene& scene, const Camera& camera,
@@ -50,7 +73,7 @@ std::vector<PixelCounts> Renderer::draw_counts(const Scene& scene, const Camera&
 
 PendingCounts Renderer::begin_counts(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
   if (!is_drawn_by_vdls(scene)) return raycaster_.begin_counts(scene, camera, target);
-  draw(scene, camera, target);
+  draw_at_once(scene, camera, target);
   PendingCounts pending{CountsOf::layers, {}};
   pending.passes.emplace_back(target, gl::PendingRead::What::counts);
   return pending;

@@ -21,6 +21,14 @@ class Renderer {
   /// As Raycaster::draw and Vdls::draw.
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile);
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
+  /// Raycaster::draw waits for nothing, and Vdls::draw for the layers of the tile. To wait for neither, begin
+  /// with what has to be known of the tile, if anything (Vdls::begin), and draw it when that is over.
+  std::optional<gl::PendingBuffer> begin(const Scene& scene, const Camera& camera, gl::RenderTarget& target,
+                                         Tile tile);
+  void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
+            const gl::PendingBuffer* begun);
+  /// The same of a small picture: without waiting, through more layers than there may be.
+  void draw_at_once(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
   /// The whole picture, with the costs of each pixel. `target` has counts.
   std::vector<PixelCounts> draw_counts(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "render/files/kinds.h"
+#include "render/files/natural_order.h"
 #include "ui/import_dialog.h"
 #include "ui/style.h"
 
@@ -81,7 +82,7 @@ void enter(FileDialog& dialog, const fs::path& folder) {
     dialog.entries.push_back(std::move(entry));
   }
   std::ranges::sort(dialog.entries, [](const auto& a, const auto& b) {
-    return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
+    return a.folder != b.folder ? a.folder : natural_less(lower(a.name), lower(b.name));
   });
 }
 

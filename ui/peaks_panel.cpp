@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include "ui/curve_beneath.h"
@@ -219,6 +220,20 @@ void columns() {
   ImGui::TableHeadersRow();
 }
 
+/// Of a volume of which points were left out: what a person must not take for the whole one's.
+void thinned_note(StudioState& state, const StudioInputs& inputs) {
+  if (!inputs.volume || !inputs.volume->part) return;
+  const glm::u64vec3 stride = inputs.volume->part->stride;
+  const std::uint64_t most = std::max({stride.x, stride.y, stride.z});
+  if (most < 2) return;
+  ImGui::TextDisabled("Of %s: thin surfaces have shrunk or are gone.",
+                      short_part_text(*inputs.volume->part).c_str());
+  note_item(state.widgets, "thinned note");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("crest peaks PRESET --volume 'BOX OF THE WHOLE' --thinned %d\nmeasures by how much.",
+                      int(std::min<std::uint64_t>(most, 1 << 20)));
+}
+
 }  // namespace
 
 bool peaks_panel(Document& document, StudioState& state, const StudioInputs& inputs, float height) {
@@ -233,6 +248,7 @@ bool peaks_panel(Document& document, StudioState& state, const StudioInputs& inp
     ImGui::PopTextWrapPos();
     return false;
   }
+  thinned_note(state, inputs);
   constexpr ImGuiTableFlags flags =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
   if (!ImGui::BeginTable("peaks", 8, flags, {0, height})) return false;

@@ -17,6 +17,12 @@ DisplayTexture::DisplayTexture(glm::ivec2 size) : size_(size) {
   glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture_.id(), 0);
 }
 
+void DisplayTexture::enlarge(const DisplayTexture& small) {
+  glDisable(GL_SCISSOR_TEST);
+  glBlitNamedFramebuffer(small.framebuffer(), framebuffer(), 0, 0, small.size().x, small.size().y, 0, 0,
+                         size_.x, size_.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
 Presenter::Presenter() : program_(build_fullscreen_program("present.frag", {})) {}
 
 void Presenter::present(const RenderTarget& from, DisplayTexture& to, glm::vec3 background, int first_row,
@@ -47,9 +53,7 @@ void Presenter::present_error_bounds(const RenderTarget& from, DisplayTexture& t
   draw(program, to, first_row, last_row);
 }
 
-void Presenter::present_difference(Side a, Side b, DisplayTexture& to, double amplification, bool with_sign) {
-  if (!difference_program_) difference_program_ = build_fullscreen_program("present_difference.frag", {});
-  const GLuint program = difference_program_->id();
+void Presenter::set_sides(GLuint program, const Side& a, const Side& b) {
   const auto place = [&](const char* name) { return glGetUniformLocation(program, name); };
   glBindTextureUnit(0, a.picture.color_texture());
   glBindTextureUnit(1, b.picture.color_texture());
@@ -57,9 +61,28 @@ void Presenter::present_difference(Side a, Side b, DisplayTexture& to, double am
   glProgramUniform1i(program, place("picture_b"), 1);
   glProgramUniform3fv(program, place("background_a"), 1, &a.background.x);
   glProgramUniform3fv(program, place("background_b"), 1, &b.background.x);
-  glProgramUniform1f(program, place("amplification"), float(amplification));
-  glProgramUniform1i(program, place("with_sign"), with_sign);
+}
+
+void Presenter::present_difference(Side a, Side b, DisplayTexture& to, double amplification, bool with_sign) {
+  if (!difference_program_) difference_program_ = build_fullscreen_program("present_difference.frag", {});
+  const GLuint program = difference_program_->id();
+  set_sides(program, a, b);
+  glProgramUniform1f(program, glGetUniformLocation(program, "amplification"), float(amplification));
+  glProgramUniform1i(program, glGetUniformLocation(program, "with_sign"), with_sign);
   draw(program, to, 0, to.size().y);
+}
+
+RenderTarget Presenter::sum_difference(Side a, Side b, double least) {
+  if (!sum_program_)
+    sum_program_ =
+        build_fullscreen_program("sum_difference.frag", {fmt::format("BLOCK {}", difference_block)});
+  const GLuint program = sum_program_->id();
+  set_sides(program, a, b);
+  glProgramUniform1f(program, glGetUniformLocation(program, "least"), float(least));
+  RenderTarget sums((a.picture.size() + difference_block - 1) / difference_block, false);
+  begin_whole_target(sums.framebuffer(), sums.size());
+  triangle_.draw(program);
+  return sums;
 }
 
 void Presenter::draw(GLuint program, DisplayTexture& to, int first_row, int last_row) {

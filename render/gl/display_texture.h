@@ -17,6 +17,8 @@ class DisplayTexture {
   glm::ivec2 size() const { return size_; }
   GLuint texture() const { return texture_.id(); }
   GLuint framebuffer() const { return framebuffer_.id(); }
+  /// Shows the same as `small`, enlarged smoothly.
+  void enlarge(const DisplayTexture& small);
 
  private:
   glm::ivec2 size_;
@@ -43,12 +45,17 @@ class Presenter {
     glm::vec3 background;
   };
   void present_difference(Side a, Side b, DisplayTexture& to, double amplification, bool with_sign);
+  /// The same as numbers: a pixel of the target is a block of difference_block^2 pixels, (the greatest
+  /// difference of a channel, the sum of all squares, how many pixels are off by more than `least`, 1).
+  RenderTarget sum_difference(Side a, Side b, double least);
+  static constexpr int difference_block = 16;
 
  private:
   void draw(GLuint program, DisplayTexture& to, int first_row, int last_row);
+  static void set_sides(GLuint program, const Side& a, const Side& b);
 
   ProgramHandle program_;
-  std::optional<ProgramHandle> error_program_, difference_program_;  ///< once they were needed
+  std::optional<ProgramHandle> error_program_, difference_program_, sum_program_;  ///< once they were needed
   FullscreenTriangle triangle_;
 };
 

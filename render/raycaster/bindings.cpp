@@ -138,7 +138,8 @@ void bind_scene(Resources& resources, const Scene& scene, const Classification& 
   const Binding b{
       held, scene, classification, need, program, stored_units(volume), volume.grid.smallest_spacing()};
   std::shared_ptr<const BrickSet> bricks;
-  if (features.bricks) bricks = shown_bricks(held, {scene, classification, need.needed, need.tf_blur});
+  if (features.bricks)
+    bricks = shown_bricks(held, {scene, classification, need.needed, need.tf_blur}, need.longest_step);
   bind_volume(resources, scene.volume, bricks, {volume_unit, brick_table_unit}, program);
   if (features.empty_cells)
     bind_texture(b, empty_cells_unit, "empty_cells",

@@ -330,7 +330,9 @@ Need find_need(const Volume& volume, const Classification& classification, const
                    longest_ray(camera, box) / spacing,
                    {}};
   if (!facts.why_no_analytic().empty()) facts.steps = step_lengths(rendering, camera, size, box, volume.grid);
-  return Decision(facts, forced, occupied_share, weight_error).make(statistics);
+  Need need = Decision(facts, forced, occupied_share, weight_error).make(statistics);
+  need.longest_step = facts.steps.longest;
+  return need;
 }
 
 std::vector<GpuData> gpu_data(const Need& need, const Volume& volume, const Classification& classification) {

@@ -24,6 +24,7 @@ struct Need {
   TfTableSize tf_table;                     ///< where features.dvr; antiderivatives have as many nodes
   TableBlur tf_blur;                        ///< of its table
   int preintegration_bins = 0;              ///< of the pre-integration table on each axis, where there is one
+  double longest_step = 0;                  ///< between two samples next to each other, in smallest spacings
   std::size_t texel_bytes = sizeof(float);  ///< that the device holds of a point
   std::size_t brick_count = 0;              ///< of the volume, where features.bricks
   int peak_bins = 0;                        ///< of the peak table's arrays, where there is one

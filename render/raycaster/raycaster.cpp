@@ -70,7 +70,8 @@ Need Raycaster::find_need(const Scene& scene, const Camera& camera, glm::ivec2 s
                                forced_, share, weight_error, is_in_bricks(*resources_, scene.volume));
   need.texel_bytes = texel_kind(held, *scene.volume).bytes;
   if (need.features.bricks)
-    need.brick_count = size_of(*shown_bricks(held, {scene, classification, need.needed, need.tf_blur}));
+    need.brick_count =
+        size_of(*shown_bricks(held, {scene, classification, need.needed, need.tf_blur}, need.longest_step));
   return need;
 }
 

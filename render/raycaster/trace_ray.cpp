@@ -35,16 +35,35 @@ void draw_traces(Resources& resources, const Scene& scene, const Camera& camera,
 
 }  // namespace
 
-std::vector<TracedStep> trace_ray(Raycaster& raycaster, Scene scene, const Camera& camera, glm::ivec2 size,
-                                  glm::ivec2 pixel) {
+PendingTrace::PendingTrace(const gl::RenderTarget& drawn, double unit)
+    : reads_(Reads{{drawn, gl::PendingRead::What::color}, {drawn, gl::PendingRead::What::counts}}),
+      unit_(unit) {}
+
+bool PendingTrace::is_over() const {
+  return !reads_ || (reads_->colors.is_over() && reads_->counts.is_over());
+}
+
+std::vector<TracedStep> PendingTrace::steps() const {
+  if (!reads_) return {};
+  const std::vector<glm::vec4> colors = reads_->colors.color();
+  const std::vector<glm::uvec4> counts = reads_->counts.counts();
+  std::vector<TracedStep> steps;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double depth = unit_ * double(std::bit_cast<float>(counts[i].w));
+    if (i > 0 && !(depth > steps.back().depth)) break;  // the ray has ended
+    steps.push_back({depth, colors[i], counts[i].z});
+  }
+  return steps.size() > 1 ? steps : std::vector<TracedStep>();
+}
+
+PendingTrace begin_trace(Raycaster& raycaster, Scene scene, const Camera& camera, glm::ivec2 size,
+                         glm::ivec2 pixel) {
   if (is_analytic(scene.rendering.classification)) throw Error("the exact march takes no samples");
   scene.rendering.engine = Engine::raycaster;
   scene.rendering.skipping = false;
   Need need = raycaster.need(scene, camera, size, true);
   if (need.is_empty()) return {};
-  if (need.features.bricks)
-    throw Error(
-        "a ray cannot be told step by step in a volume of which the graphics device holds only what shows");
+  need.needed.skipping |= need.features.bricks;  // of which those do that show: the others add nothing
   if (need.intervals > most_traced_steps)
     throw Error(fmt::format("up to {} steps along a ray are too many to be told one by one (at most {})",
                             need.intervals, most_traced_steps));
@@ -52,17 +71,12 @@ std::vector<TracedStep> trace_ray(Raycaster& raycaster, Scene scene, const Camer
   const int columns = std::min(need.intervals + 1, most_columns), rows = need.intervals / columns + 1;
   const gl::RenderTarget target({columns, rows}, true);
   draw_traces(raycaster.resources(), scene, camera, size, pixel, need, target);
+  return {target, scene.volume->grid.smallest_spacing()};
+}
 
-  const Image colors = target.read_color();
-  const std::vector<glm::uvec4> counts = target.read_counts();
-  const double unit = scene.volume->grid.smallest_spacing();
-  std::vector<TracedStep> steps;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    const double depth = unit * double(std::bit_cast<float>(counts[i].w));
-    if (i > 0 && !(depth > steps.back().depth)) break;  // the ray has ended
-    steps.push_back({depth, colors.pixels[i], counts[i].z});
-  }
-  return steps.size() > 1 ? steps : std::vector<TracedStep>();
+std::vector<TracedStep> trace_ray(Raycaster& raycaster, Scene scene, const Camera& camera, glm::ivec2 size,
+                                  glm::ivec2 pixel) {
+  return begin_trace(raycaster, std::move(scene), camera, size, pixel).steps();
 }
 
 }  // namespace crest

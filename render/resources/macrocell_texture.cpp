@@ -121,13 +121,14 @@ GLuint macrocell_texture(KeyedCache& held, const ShownParts& shown) {
       .id();
 }
 
-const std::shared_ptr<const BrickSet>& shown_bricks(KeyedCache& held, const ShownParts& shown) {
+const std::shared_ptr<const BrickSet>& shown_bricks(KeyedCache& held, const ShownParts& shown,
+                                                    double longest_step) {
+  const auto& volume = shown.scene.volume;
   // Beyond a macrocell, in points: that of filters and differences, and of the sample behind the last one in
   // it
-  const Rendering& rendering = shown.scene.rendering;
-  const double step = rendering.step * (shown.features.adaptive ? most_joined_steps : 1);
-  const int reach = 3 + int(std::ceil(step));
-  const auto& volume = shown.scene.volume;
+  const glm::ivec3 points = volume->grid.dims;
+  const double most = std::max({points.x, points.y, points.z});
+  const int reach = 3 + int(std::ceil(std::min(std::max(longest_step, 1.0), most)));
   const SharedOccupancy occupied = shown.features.skipping ? occupancy(held, shown) : nullptr;
   return held.get(BricksKey(volume, occupied, reach), brick_count(volume->grid), [&] {
     BrickSet bricks(brick_count(volume->grid), occupied ? 0 : 1);

@@ -33,8 +33,10 @@ GLuint macrocell_texture(KeyedCache& held, const ShownParts& shown);
 const std::vector<Box>& shown_boxes(KeyedCache& held, const ShownParts& shown);
 
 /// The bricks (volume/bricks.h) that a picture reads: those around the macrocells in which something may
-/// show, where features.skipping; else all.
-const std::shared_ptr<const BrickSet>& shown_bricks(KeyedCache& held, const ShownParts& shown);
+/// show, where features.skipping; else all. `longest_step` lies between two samples next to each other, in
+/// smallest spacings.
+const std::shared_ptr<const BrickSet>& shown_bricks(KeyedCache& held, const ShownParts& shown,
+                                                    double longest_step);
 
 /// The side of a macrocell, in cells of the grid.
 inline int macrocell_side(const Volume& volume) { return macrocell_side(volume.grid, volume.statistics); }

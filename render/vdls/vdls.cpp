@@ -61,6 +61,20 @@ struct Leaves {
   std::size_t count() const { return std::size_t(on_axis) * std::size_t(on_axis); }
 };
 
+std::vector<std::uint32_t> read_counts(const gl::PendingBuffer& from, const Leaves& leaves) {
+  std::vector<std::uint32_t> counts(leaves.count());
+  from.copy_to(counts.data(), counts.size() * sizeof counts[0]);
+  return counts;
+}
+
+/// Of the longest ray that the box may have, with one to spare for rounding.
+std::uint32_t most_samples(const Scene& scene) {
+  const Grid& grid = scene.volume->grid;
+  const double steps =
+      glm::length(grid.box_size()) / (grid.smallest_spacing() * scene.rendering.step);
+  return std::uint32_t(std::ceil(steps)) + 1;
+}
+
 }  // namespace
 
 /// A scene with what the engine makes of its volume and its TF.
@@ -125,13 +139,16 @@ Box Vdls::visible_part(const Prepared& p) {
   });
 }
 
-/// Begins the picture; returns each leaf's greatest sample count.
-std::vector<std::uint32_t> Vdls::set_up(const Prepared& p, const Camera& camera,
-                                        const gl::RenderTarget& target) {
+gl::PendingBuffer Vdls::set_up(const Prepared& p, const Camera& camera, const gl::RenderTarget& target,
+                               Tile tile) {
   const Scene& scene = p.scene;
   const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
-  std::vector<std::uint32_t> counts(leaves.count());
-  const gl::BufferHandle buffer = make_buffer(counts.size() * sizeof counts[0], counts.data());
+  const LeafCounts counts(leaves.count());
+  gl::BufferHandle buffer = make_buffer(counts.size() * sizeof counts[0], counts.data());
+  layers_.attach(target);
+  glViewport(0, 0, target.size().x, target.size().y);
+  glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
+  glBindVertexArray(vertex_array_.id());
   const GLuint program = resources_->programs.program("fullscreen.vert", "vdls_setup.frag",
                                                       setup_defines(scene.rendering, target.has_counts()));
   const Grid& grid = p.volume.grid;
@@ -148,12 +165,11 @@ std::vector<std::uint32_t> Vdls::set_up(const Prepared& p, const Camera& camera,
   glUseProgram(program);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glGetNamedBufferSubData(buffer.id(), 0, GLsizeiptr(counts.size() * sizeof counts[0]), counts.data());
-  return counts;
+  return gl::PendingBuffer(std::move(buffer));
 }
 
 Proxy Vdls::make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size,
-                       const std::vector<std::uint32_t>& counts) {
+                       const LeafCounts& counts) {
   const Scene& scene = p.scene;
   work_ = {};
   Proxy proxy;
@@ -227,23 +243,50 @@ Vdls::Vdls(std::shared_ptr<Resources> resources) : resources_(std::move(resource
   glVertexArrayAttribBinding(id, 0, 0);
 }
 
-void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
+Vdls::Prepared Vdls::hold(const Scene& scene) {
   if (const std::string why = why_not_vdls(scene); !why.empty()) throw Error(why);
   resources_->held.begin_round();
-  const Prepared prepared = prepare(scene);
+  Prepared prepared = prepare(scene);
   if (is_in_bricks(*resources_, scene.volume))
     throw Error(
         "the vdls engine needs the whole volume on the graphics device, and draws none of more than 2 GiB "
         "there");
   hold_volume(*resources_, scene.volume);  // which may draw
-  layers_.attach(target);
-  glViewport(0, 0, target.size().x, target.size().y);
-  glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
+  return prepared;
+}
+
+gl::PendingBuffer Vdls::begin(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
+  const Prepared prepared = hold(scene);
   const gl::DrawState state;
-  glBindVertexArray(vertex_array_.id());
-  const auto counts = set_up(prepared, camera, target);
-  const Proxy proxy = make_proxy(prepared, camera, target.size(), counts);
+  return set_up(prepared, camera, target, tile);
+}
+
+// The layers' textures are all pictures', so that a picture is set up again after others were.
+void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
+                const std::function<LeafCounts(const gl::PendingBuffer& set_up)>& counts) {
+  const Prepared prepared = hold(scene);
+  const gl::DrawState state;
+  const gl::PendingBuffer fresh = set_up(prepared, camera, target, tile);
+  const Proxy proxy = make_proxy(prepared, camera, target.size(), counts(fresh));
   if (proxy.layers() > 0) draw_layers(prepared, camera, target.size(), proxy);
+}
+
+void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
+  const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
+  draw(scene, camera, target, tile,
+       [&](const gl::PendingBuffer& fresh) { return read_counts(fresh, leaves); });
+}
+
+void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
+                const gl::PendingBuffer& begun) {
+  const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
+  draw(scene, camera, target, tile, [&](const gl::PendingBuffer&) { return read_counts(begun, leaves); });
+}
+
+void Vdls::draw_at_once(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
+  const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
+  draw(scene, camera, target, Tile{{0, 0}, target.size()},
+       [&](const gl::PendingBuffer&) { return LeafCounts(leaves.count(), most_samples(scene)); });
 }
 
 PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "render/gl/pending_buffer.h"
 #include "render/gl/render_target.h"
 #include "render/resources/resources.h"
 #include "render/scene/picture_cost.h"
@@ -36,6 +38,14 @@ class Vdls {
   /// driver cannot hold, or a shader that does not compile and has no last good one.
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile);
 
+  /// draw() waits until the device has told how many layers the leaves of the tile have. To go on meanwhile:
+  /// begin, and draw what was begun when it is over. Both throw as draw().
+  gl::PendingBuffer begin(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile);
+  void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
+            const gl::PendingBuffer& begun);
+  /// A small picture without waiting: each leaf goes through as many layers as the longest ray could have.
+  void draw_at_once(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
+
   /// What a picture of this size is made from.
   PictureNeed need(const Scene& scene, glm::ivec2 size);
   const VdlsWork& last_work() const { return work_; }
@@ -43,11 +53,16 @@ class Vdls {
  private:
   struct Prepared;
   Prepared prepare(const Scene& scene);
+  Prepared hold(const Scene& scene);  ///< and its volume is on the device
   Box visible_part(const Prepared& p);
-  /// Begins the picture; returns each leaf's greatest sample count.
-  std::vector<std::uint32_t> set_up(const Prepared& p, const Camera& camera, const gl::RenderTarget& target);
+  /// Each leaf's greatest sample count.
+  using LeafCounts = std::vector<std::uint32_t>;
+  /// Begins the picture; returns the leaves' counts, on their way.
+  gl::PendingBuffer set_up(const Prepared& p, const Camera& camera, const gl::RenderTarget& target, Tile tile);
+  void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
+            const std::function<LeafCounts(const gl::PendingBuffer& set_up)>& counts);
   Proxy make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size,
-                   const std::vector<std::uint32_t>& counts);
+                   const LeafCounts& counts);
   void bind_volume(const Prepared& p, GLuint program);
   void draw_layers(const Prepared& p, const Camera& camera, glm::ivec2 size, const Proxy& proxy);
 

@@ -18,6 +18,8 @@ TEST(Numbered, ASinglePictureKeepsItsName) {
   EXPECT_EQ(numbered("a/turn.png", 0, 1), "a/turn.png");
   EXPECT_EQ(numbered("a/turn.png", 0, 36), "a/turn-001.png");
   EXPECT_EQ(numbered("a/turn.png", 1999, 2000), "a/turn-2000.png");
+  EXPECT_EQ(with_number("a/step.png", 0, 35), "a/step-000.png");
+  EXPECT_EQ(with_number("a/step.png", 7, 1000), "a/step-0007.png");
 }
 
 // Each file of a turn opens as it looks: with its own camera.

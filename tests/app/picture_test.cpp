@@ -1,4 +1,6 @@
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -55,6 +57,33 @@ TEST_F(Picture, ASlabByHand) {
   const Image image = image_of(data_values + along_z + Words{"--set", flat, "--mode", "DVR_ONLY"});
   for (const glm::vec4& pixel : image.pixels)
     for (int channel = 0; channel < 4; ++channel) ASSERT_NEAR(pixel[channel], 0.75, 1e-5);
+}
+
+// The exact answer of each, too: the second and the third step hold more of the material.
+TEST_F(Picture, OfEachStepHasTheStepsNumber) {
+  for (int i = 0; i < 3; ++i)
+    std::ofstream(path("film_" + std::to_string(i) + ".raw")) << std::string(64, char(50 * i));
+  const std::string film = path("film_*.raw") + "?size=4x4x4&type=uint8";
+  const Words settings = {"--size",
+                          "6x4",
+                          "--mode",
+                          "DVR_ONLY",
+                          "--set",
+                          R"(transfer_function.points=[{"value": 0, "opacity": 0},
+                             {"value": 200, "opacity": 1}])"};
+  for (const std::string engine : {"raycaster", "reference"}) {
+    const std::string name = path(engine + ".exr");
+    output_of(Words{"render", film, "--frame", "all", "--engine", engine, "-o", name} + settings);
+    for (int i = 0; i < 3; ++i) {
+      const Image one = read_image(path(engine + "-00" + std::to_string(i) + ".exr"));
+      const std::string alone = path("alone.exr");
+      output_of(Words{"render", film, "--frame", std::to_string(i), "--engine", engine, "-o", alone} +
+                settings);
+      EXPECT_EQ(one.pixels, read_image(alone).pixels) << "names and --frame agree";
+      EXPECT_EQ(one.at(3, 2).a > 0, i > 0);
+    }
+    EXPECT_FALSE(std::filesystem::exists(path(engine + "-003.exr")));
+  }
 }
 
 // All rays of a parallel picture are as long, from wherever it is seen, and the height is that at the target.

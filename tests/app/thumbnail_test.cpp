@@ -52,11 +52,9 @@ TEST(Thumbnail, WhatIsNoThumbnailIsNone) {
 
 TEST(Thumbnail, IsTheMeanOfThePixelsUnderEach) {
   const glm::ivec2 size{2 * width, 2 * height};
-  std::vector<std::uint8_t> rgba;
+  std::vector<glm::u8vec4> rgba;
   for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x)
-      for (const int v : {x % 2 ? 200 : 100, y % 2 ? 50 : 10, x / 2 % 256, 255})
-        rgba.push_back(std::uint8_t(v));
+    for (int x = 0; x < size.x; ++x) rgba.emplace_back(x % 2 ? 200 : 100, y % 2 ? 50 : 10, x / 2 % 256, 255);
   const Thumbnail small = shrunk(rgba, size);
   EXPECT_EQ(pixel_of(small, 0, 0), glm::ivec3(150, 30, 0));
   EXPECT_EQ(pixel_of(small, 77, 30), glm::ivec3(150, 30, 77));
@@ -65,9 +63,9 @@ TEST(Thumbnail, IsTheMeanOfThePixelsUnderEach) {
 TEST(Thumbnail, IsTheMiddleOfAWiderOrHigherPicture) {
   for (const glm::ivec2 size :
        {glm::ivec2(3 * width, height), glm::ivec2(width, 3 * height), glm::ivec2(5, 300)}) {
-    std::vector<std::uint8_t> rgba(4 * std::size_t(size.x) * std::size_t(size.y), 0);
+    std::vector<glm::u8vec4> rgba(std::size_t(size.x) * std::size_t(size.y));
     const std::size_t middle = std::size_t(size.y / 2) * std::size_t(size.x) + std::size_t(size.x / 2);
-    rgba[4 * middle] = 255;
+    rgba[middle].r = 255;
     const Thumbnail small = shrunk(rgba, size);
     int brightest = 0;
     glm::ivec2 place{0};
@@ -95,12 +93,38 @@ class Store : public ::testing::Test {
  protected:
   Store() { std::filesystem::remove_all(folder); }
   ~Store() override { std::filesystem::remove_all(folder); }
-  static Thumbnail shown(std::uintptr_t texture) { return thumbnail_of_texture(GLuint(texture)); }
+  static Thumbnail shown(std::uintptr_t texture) {
+    std::vector<glm::u8vec4> rgba(std::size_t(width) * std::size_t(height));
+    glGetTextureImage(GLuint(texture), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(4 * rgba.size()), rgba.data());
+    return shrunk(rgba, thumbnail_size);
+  }
 
   testing::DebugContext context;
   std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("crest_thumbnails_" + std::to_string(::getpid()));
 };
+
+TEST_F(Store, HoldsNoMoreTexturesThanAFrameNeeds) {
+  constexpr std::size_t most = 8;
+  ThumbnailStore store({});
+  const auto use = [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+      if (store.texture(std::to_string(i)) == 0) store.show(std::to_string(i), noise(std::uint32_t(i)));
+  };
+  for (int i = 0; i < 100; ++i) {
+    store.begin_frame(most);
+    use(i, i + 2);
+    EXPECT_LE(store.count(), most + 2);
+  }
+  store.begin_frame(most);
+  use(0, 20);
+  store.begin_frame(most);
+  EXPECT_EQ(store.count(), 20U) << "the frame that is on the screen names them";
+  EXPECT_EQ(shown(store.texture("7")), noise(7));
+  store.begin_frame(most);
+  EXPECT_LE(store.count(), most);
+  EXPECT_EQ(shown(store.texture("7")), noise(7)) << "what was used last stays";
+}
 
 TEST_F(Store, APictureIsThereAtTheNextStart) {
   ThumbnailStore first(folder);

@@ -5,13 +5,19 @@
 #include <algorithm>
 #include <chrono>
 
+#include "app/export_picture.h"
+#include "app/next_slice.h"
+#include "app/ray_inspector.h"
+#include "app/slice_pictures.h"
 #include "app/view_difference.h"
 #include "presets/preset_file.h"
+#include "render/gl/filter_weights.h"
 #include "render/scene/camera.h"
 #include "render/scene/error_colors.h"
 #include "render/scene/exact.h"
 #include "render/volume/builtin.h"
 #include "tests/debug_context.h"
+#include "tests/gl_waits.h"
 
 namespace crest {
 namespace {
@@ -78,32 +84,103 @@ TEST_F(Views, TheDifferenceOfTwoPicturesIsDrawnAndMeasured) {
   ViewDifference difference;
   Comparison comparison{
       .view = 2, .with = {}, .follows = {}, .kind = ComparisonKind::difference, .amplification = 4};
-  difference.update(views, comparison);
+  const auto measure = [&] {
+    do difference.update(views, comparison);
+    while (difference.is_busy());
+  };
+  measure();
   EXPECT_NE(difference.picture().texture, 0u);
   EXPECT_EQ(difference.picture().max, 0) << "the same picture";
 
   comparison.view = 0;
-  difference.update(views, comparison);
+  measure();
   const Image a = views.colors(0)->read_color(), b = views.colors(compared_picture)->read_color();
   std::vector<std::uint8_t> drawn(a.pixels.size() * 4);
   glGetTextureImage(GLuint(difference.picture().texture), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(drawn.size()),
                     drawn.data());
   float most = 0;
+  double squares = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i)
     for (int channel = 0; channel < 3; ++channel) {
       const float ground = channel == 0 ? 0.2F : 0;
       const float off = std::abs(b.pixels[i][channel] + (1 - b.pixels[i].a) * ground - a.pixels[i][channel]);
       most = std::max(most, off);
+      squares += double(off) * double(off);
       EXPECT_NEAR(drawn[4 * i + std::size_t(channel)], 255 * std::min(4 * off, 1.0F), 0.51) << i;
     }
   EXPECT_GT(most, 0.1);
   EXPECT_NEAR(difference.picture().max, most, 1e-6);
+  EXPECT_NEAR(difference.picture().rmse, std::sqrt(squares / (3.0 * double(a.pixels.size()))), 1e-6);
   EXPECT_GT(difference.picture().share, 0.5) << "the background differs";
 
   views.keep_colors(false);
   finish(1e9, false);
   difference.update(views, comparison);
   EXPECT_EQ(difference.picture().texture, 0u);
+}
+
+TEST_F(Views, NothingThatTheWindowShowsIsWaitedFor) {
+  requests[1].scene.rendering = exact_rendering(requests[1].scene.rendering);
+  requests[3].scene.rendering.mode = Mode::dvr_only;
+  requests[3].scene.rendering.engine = Engine::vdls;
+  requests[compared_picture] = requests[2];
+  views.keep_colors(true);
+  views.renderer().resources().weight_error = gl::measure_weight_error();  // once a context, and it waits
+  RayInspector rays;
+  ExportPictureMaker exported;
+  SlicePictures slices;
+  ViewDifference difference;
+  const Comparison comparison{
+      .view = 0, .with = {}, .follows = {}, .kind = ComparisonKind::difference, .amplification = 4};
+
+  const testing::GlWaits waits;
+  const auto until_all_is_there = [&](bool interactive) {
+    do {
+      views.work(requests, 3, interactive);
+      difference.update(views, comparison);
+      exported.update(views.renderer(), requests[0].scene.volume, load_preset("dirac-shell"), {});
+      rays.want(requests[0].scene, requests[0].camera, {0, {32, 24}, requests[0].size});
+      rays.work(views.renderer());
+      slices.update(views.renderer().resources(), requests[0].scene,
+                    {.cursor = glm::dvec3(0.5), .pixels = {glm::ivec2(20), {9, 9}, {9, 9}}});
+    } while (views.is_busy() || difference.is_busy() || exported.is_busy() || rays.is_busy());
+    const gl::PendingRead left(*views.display(0));  // as a thumbnail
+    while (!left.is_over()) views.work(requests, 3, interactive);
+    EXPECT_EQ(left.shown().size(), 64u * 48u);
+  };
+  until_all_is_there(true);
+  requests[0].camera.fov_y_degrees += 1;
+  requests[3].camera.fov_y_degrees += 1;
+  until_all_is_there(false);
+  EXPECT_EQ(views.error(), "");
+  EXPECT_GT(difference.picture().rmse, 0);
+  EXPECT_NE(exported.picture().texture, 0u);
+  EXPECT_FALSE(rays.inspection()->modes[2]->steps.empty());
+  EXPECT_EQ(waits.count(), 0);
+
+  views.colors(0)->read_color();
+  EXPECT_EQ(waits.count(), 1) << "one that waits is counted";
+}
+
+TEST(Slices, OfA4KPictureAreFewPixelsWhereTheyCostMuch) {
+  const glm::ivec2 size{3840, 2160};
+  const auto pixels_of = [](const Tile& slice) {
+    const glm::ivec2 part = slice.end - slice.begin;
+    return part.x * part.y;
+  };
+  for (const double wanted : {1.0, 1000.0, 8000.0, 100000.0}) {
+    std::vector<std::uint8_t> drawn(std::size_t(size.x) * std::size_t(size.y));
+    for (glm::ivec2 begin{0}; begin.y < size.y;) {
+      const Tile slice = next_slice(size, begin, wanted);
+      ASSERT_LE(pixels_of(slice), std::max(wanted, 4 * 16.0));
+      for (int y = slice.begin.y; y < slice.end.y; ++y)
+        for (int x = slice.begin.x; x < slice.end.x; ++x)
+          ++drawn[std::size_t(y) * std::size_t(size.x) + std::size_t(x)];
+      begin = after(slice, size);
+    }
+    EXPECT_EQ(std::ranges::count(drawn, 1), std::ptrdiff_t(drawn.size())) << "each pixel once";
+  }
+  EXPECT_EQ(next_slice({640, 480}, {0, 0}, 6400).end, glm::ivec2(640, 10)) << "whole rows where they fit";
 }
 
 // A table for one step length is made once an edit: a coarse picture, which would step further, takes the

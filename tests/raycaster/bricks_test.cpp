@@ -1,5 +1,6 @@
 #include "render/volume/bricks.h"
 
+#include "render/raycaster/trace_ray.h"
 #include "render/resources/brick_atlas.h"
 #include "render/resources/volume_texture.h"
 #include "render/slices/slice_renderer.h"
@@ -97,6 +98,65 @@ TEST_F(BricksDrawn, MakeThePictureOfTheWholeVolume) {
     compare("preintegrated", filtered,
             [](Rendering& r) { r.classification = ClassificationMethod::preintegrated; });
   }
+}
+
+/// What shows ends at x = 20. The next brick, from x = 32 on, shows nothing, and its first point is unlike
+/// the others.
+Ptr wall() {
+  Volume volume;
+  volume.name = "wall";
+  volume.grid = {{97, 34, 34}};
+  std::vector<std::uint8_t> stored;
+  for (std::size_t i = 0; i < volume.grid.point_count(); ++i) {
+    const std::size_t x = i % 97;
+    stored.push_back(x <= 20 ? 100 : x == 32 ? 0 : 59);
+  }
+  volume.values = Voxels(std::move(stored), {});
+  volume.statistics = compute_statistics(volume.grid, volume.values);
+  return std::make_shared<const Volume>(std::move(volume));
+}
+
+// A segment ends at a sample that lies as far beyond what shows as the longest step, whatever `step` is.
+TEST_F(BricksDrawn, ReachAsFarAsStepsThatGrow) {
+  Scene scene = scene_of(wall());
+  scene.tf = make_tf({point(0, 0), point(60, 0), point(100, 0.02), point(255, 0.02)}, 1);
+  scene.rendering.mode = Mode::dvr_only;
+  scene.rendering.classification = ClassificationMethod::preintegrated;
+  scene.rendering.placement = Placement::entry;
+  scene.rendering.sampling = Sampling::differential;
+  scene.rendering.step = 0.1;
+  const Camera along_x{{-100, 16, 16}, {48, 16, 16}, {0, 0, 1}, 30, Projection::parallel, {}};
+  const auto draw = [&](Raycaster& with) {
+    gl::RenderTarget target(size, false);
+    with.draw(scene, along_x, target);
+    return target.read_color();
+  };
+  for (const double s_k : {8, 9, 10, 11, 12}) {
+    scene.rendering.s_k = s_k;
+    const Need need = in_bricks.need(scene, along_x, size, false);
+    EXPECT_TRUE(need.features.bricks);
+    EXPECT_GT(need.longest_step, 12);
+    EXPECT_LE(largest_difference(draw(in_bricks), draw(raycaster)), 1e-3) << s_k;
+  }
+}
+
+TEST_F(BricksDrawn, ARayIsTracedAsInTheWholeVolume) {
+  const Scene scene = scene_of(vessels(false));
+  std::size_t crossings = 0;
+  for (int y = 4; y < size.y; y += 8)
+    for (int x = 4; x < size.x; x += 8) {
+      const auto parts = trace_ray(in_bricks, scene, sees_unit_cube, size, {x, y}),
+                 whole = trace_ray(raycaster, scene, sees_unit_cube, size, {x, y});
+      ASSERT_EQ(parts.size(), whole.size());
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        EXPECT_EQ(parts[i].depth, whole[i].depth);
+        EXPECT_EQ(parts[i].crossings, whole[i].crossings) << x << ' ' << y << ' ' << i;
+        for (int c = 0; c < 4; ++c) EXPECT_NEAR(parts[i].color[c], whole[i].color[c], 1e-3);
+      }
+      if (!whole.empty()) crossings += std::size_t(whole.back().crossings);
+    }
+  EXPECT_GT(crossings, 0U);
+  EXPECT_LT(in_bricks.need(scene, sees_unit_cube, size, false).brick_count, brick_count(scene.volume->grid));
 }
 
 TEST_F(BricksDrawn, AreAllHeldWhereNothingIsSkipped) {

@@ -47,6 +47,17 @@ class Files : public Studio {
   fs::path folder = fs::canonical(fs::temp_directory_path()) / ("crest_ui_" + std::to_string(::getpid()));
 };
 
+TEST_F(Files, AreListedAsAPersonCounts) {
+  for (const char* file : {"step_55.nrrd", "step_5.nrrd", "Step_6.nrrd", "step_10.nrrd"})
+    std::ofstream(folder / file) << "NRRD";
+  ctrl('O');
+  frames(2);
+  std::vector<std::string> names;
+  for (const auto& entry : state->file_dialog.entries)
+    if (entry.name.find("tep_") != entry.name.npos) names.push_back(entry.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"step_5.nrrd", "Step_6.nrrd", "step_10.nrrd", "step_55.nrrd"}));
+}
+
 TEST_F(Files, AVolumeIsOpenedFromTheList) {
   ctrl('O');
   frames(2);

@@ -19,6 +19,18 @@ TEST_F(Panels, APeakIsSwitchedOffAndOn) {
   EXPECT_TRUE(inputs.peaks[0].shown);
 }
 
+TEST_F(Panels, TellThatPointsOfTheVolumeWereLeftOut) {
+  EXPECT_FALSE(has("thinned note"));
+  volume.part = whole_grid(glm::u64vec3(volume.grid.dims));
+  volume.part->end.x -= 1;
+  frames(2);
+  EXPECT_FALSE(has("thinned note")) << "a box has all of its points";
+  volume.part->stride.y = 2;
+  frames(2);
+  EXPECT_TRUE(has("thinned note"));
+  EXPECT_TRUE(has("peak0.eye"));
+}
+
 TEST_F(Panels, APeakIsEditedByNumbers) {
   type("##peak0.value", "48.0625");
   EXPECT_EQ(tf().points[2].value, 48.0625);

@@ -127,6 +127,26 @@ TEST_F(Layers, Tiles) {
   EXPECT_EQ(target.read_color().pixels, whole.pixels);
 }
 
+// What is known of a tile from before is as good, however many pictures were drawn since.
+TEST_F(Layers, AreDrawnWithoutWaiting) {
+  Scene scene = dvr_scene(builtin("gyroid?n=20"), "smooth-haze");
+  scene.rendering.engine = Engine::vdls;
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
+  for (const int leaves : {0, scene.rendering.vdls.leaves}) {
+    scene.rendering.vdls.leaves = leaves;
+    const Image whole = render(scene, camera, {40, 40}, Engine::vdls);
+    gl::RenderTarget target({40, 40}, false), at_once({40, 40}, false);
+    std::vector<std::pair<Tile, gl::PendingBuffer>> begun;
+    for (const Tile& tile : {Tile{{0, 0}, {40, 7}}, {{0, 7}, {13, 40}}, {{13, 7}, {40, 40}}})
+      begun.emplace_back(tile, *renderer.begin(scene, camera, target, tile));
+    render(scene, camera, {17, 60}, Engine::vdls);
+    for (const auto& [tile, known] : begun) renderer.draw(scene, camera, target, tile, &known);
+    EXPECT_EQ(target.read_color().pixels, whole.pixels);
+    renderer.draw_at_once(scene, camera, at_once);
+    EXPECT_EQ(at_once.read_color().pixels, whole.pixels) << "layers beyond a ray's end add nothing";
+  }
+}
+
 // What it does not render, it says.
 TEST_F(Layers, RefusesWhatItDoesNotRender) {
   Scene scene = dvr_scene(builtin("sphere?n=8"), "smooth-haze");

@@ -1,18 +1,29 @@
 #!/usr/bin/env bash
-# drag.sh PROGRAM LOG [VOLUME [PRESET]]: drags a point of the TF about for some seconds in a real window, and leaves
-# the frame times and the times from an edit to each view in LOG, as JSON.
+# drag.sh PROGRAM LOG [VOLUME [PRESET]]: drags a point of the TF, and then one view, about for some seconds in a real window,
+# and leaves the frame times and the times from an edit to each view in LOG, as JSON. SIZE=3840x2160 in the environment: in a
+# window of that size, with one view enlarged. SCREENSHOT=FILE: what is on the screen right after.
 set -eu
 program=$1 log=$2 volume=${3:-builtin:plume?n=128} preset=${4:-dirac-shell}
 source "$(dirname "$0")/drive.sh"
 
-timeout 100 "$program" "$volume" --preset "$preset" --log-layout "$layout" --log-frames "$log" &
+timeout 600 "$program" "$volume" --preset "$preset" --log-layout "$layout" --log-frames "$log" &
 wait_for 30 has_widget view0
 wait_for 60 is_idle
+if [ -n "${SIZE:-}" ]; then
+  xdotool search --onlyvisible --name Crest windowsize ${SIZE/x/ }
+  sleep 1
+  wait_for 200 is_idle
+  xdotool key 3
+  sleep 1
+  wait_for 200 is_idle
+fi
 # There and back on other ways, so that nothing is drawn that was drawn before
 for by in '15 -60' '-11 57' '17 -53' '-23 41'; do
   drag "$(place point/2)" $by 60
 done
-wait_for 60 is_idle
+[ -z "${SIZE:-}" ] || drag "$(place view2)" 200 90 60
+[ -z "${SCREENSHOT:-}" ] || import -window root "$SCREENSHOT"
+wait_for 300 is_idle
 # All is undone, so that nothing is asked on quitting
 for _ in $(seq 12); do
   title_is '[!*]*' && break

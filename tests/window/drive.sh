@@ -1,7 +1,7 @@
 # Shared by the scripts that drive the studio's window with xdotool: starts again under Xvfb where it is not there yet, and
 # gives a folder `work` that goes with the script, the file `layout` in it, and a configuration of its own.
 if [ -z "${CREST_IN_XVFB:-}" ]; then
-  CREST_IN_XVFB=1 exec xvfb-run -a -s "-screen 0 1720x1160x24" "$0" "$@"
+  CREST_IN_XVFB=1 exec xvfb-run -a -s "-screen 0 ${SIZE:-1720x1160}x24" "$0" "$@"
 fi
 work=$(mktemp -d)
 trap 'kill %1 2>/dev/null || true; rm -rf "$work"' EXIT
