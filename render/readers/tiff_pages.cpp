@@ -236,8 +236,7 @@ class TiffFile : public PageFile {
               tiled ? TIFFReadEncodedTile(tiff_.get(), index, part.data(), tmsize_t(promised))
                     : TIFFReadEncodedStrip(tiff_.get(), index, part.data(), tmsize_t(promised));
           if (got < 0 || std::size_t(got) < promised || !fault_.empty())
-            fail(number, fmt::format("its data ends early, or is damaged{}",
-                                     fault_.empty() ? "" : fmt::format(" ({})", fault_)));
+            fail(number, "its data ends early, or is damaged");
           place(part, row_bytes, page, as, {x, y, columns, rows}, plane, separate, out);
         }
       }
