@@ -100,8 +100,7 @@ void check_planes(const fs::path& file, const gdcm::DataSet& set) {
 }
 
 /// GDCM would make up the frames that are missing. `bytes`: of pixels that are not compressed.
-void check_length(const fs::path& file, const DicomImage& image, std::size_t frames,
-                  std::uint64_t bytes) {
+void check_length(const fs::path& file, const DicomImage& image, std::size_t frames, std::uint64_t bytes) {
   const bool halved = image.photometric.ends_with("_422") && image.samples == 3;  // two colours of three
   const std::uint64_t samples = image.rows * image.columns * (halved ? 2 : image.samples) * frames;
   const std::uint64_t promised = (samples * image.bits + 7) / 8;

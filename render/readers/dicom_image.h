@@ -26,7 +26,7 @@ struct DicomImage {
   std::uint64_t bits = 16;                        ///< that a sample is stored in
   std::uint64_t bits_stored = 16, high_bit = 15;  ///< those of them that are the sample's
   bool is_signed = false;
-  bool is_real = false;      ///< its pixels are floating-point numbers
+  bool is_real = false;                ///< its pixels are floating-point numbers
   bool has_planes = false;             ///< each frame, of the first samples, then of the second ones
   std::optional<glm::dvec3> position;  ///< of the first pixel's centre, in mm
   std::optional<std::array<glm::dvec3, 2>> orientation;  ///< along rows (x) and along columns (y)

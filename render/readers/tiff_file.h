@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "render/volume/voxels.h"
 #include "render/readers/page_file.h"
+#include "render/volume/voxels.h"
 
 namespace crest {
 
