@@ -16,7 +16,9 @@ bool RayInspector::Subject::is(const Scene& other, const Camera& its_camera) con
          camera == its_camera;
 }
 
-bool RayInspector::is_busy() const { return wanted_ && (wanted_->tracing || std::ranges::count(wanted_->is_current, false) > 0); }
+bool RayInspector::is_busy() const {
+  return wanted_ && (wanted_->tracing || std::ranges::count(wanted_->is_current, false) > 0);
+}
 
 void RayInspector::want(const Scene& scene, const Camera& camera, const RayAsk& ask) {
   if (wanted_ && wanted_->inspection.ask == ask && wanted_->subject.is(scene, camera)) return;

@@ -19,8 +19,8 @@ class RayInspector {
   void clear() { wanted_.reset(); }
   /// And nothing of the volume is held.
   void forget() { *this = {}; }
-  /// Solves one mode that is out of date, if there is one, and traces it; that is there in a later call, since
-  /// nothing waits for the device.
+  /// Solves one mode that is out of date, if there is one, and traces it; that is there in a later call,
+  /// since nothing waits for the device.
   void work(Renderer& renderer);
   bool is_busy() const;  ///< whether there is one
   /// What is known of the ray; null while nothing is wanted.

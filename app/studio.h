@@ -71,8 +71,8 @@ class Studio {
   /// Something of the work in the background may come up soon, has come up.
   bool is_measuring() const {
     return sweep_.is_active() || choice_.is_running() || matters_.is_active() || thumbnail_maker_.is_busy() ||
-           picture_maker_.is_busy() || raw_preview_.is_busy() || place_match_.is_busy() || steps_.is_active() ||
-           !left_pictures_.empty();
+           picture_maker_.is_busy() || raw_preview_.is_busy() || place_match_.is_busy() ||
+           steps_.is_active() || !left_pictures_.empty();
   }
   bool has_news() const {
     const auto now = BackgroundSweep::Clock::now();

@@ -52,7 +52,8 @@ void ViewDifference::update(const ViewRenderer& views, const Comparison& compari
   presenter_->present_difference(a, b, *display_, subject.amplification, subject.with_sign);
   if (!is_measured)
     measuring_.emplace(
-        Measuring{subject, double(own->size().x) * own->size().y,
+        Measuring{subject,
+                  double(own->size().x) * own->size().y,
                   {presenter_->sum_difference(a, b, one_step_of_8_bits), gl::PendingRead::What::color}});
   picture_.texture = display_->texture();
   shown_ = subject;

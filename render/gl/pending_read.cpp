@@ -29,8 +29,7 @@ PendingBuffer copied(GLuint framebuffer, glm::ivec2 size, const Layout& layout) 
 }
 
 Layout layout_of(PendingRead::What what) {
-  if (what == PendingRead::What::color)
-    return {GL_COLOR_ATTACHMENT0, GL_RGBA, GL_FLOAT, sizeof(glm::vec4)};
+  if (what == PendingRead::What::color) return {GL_COLOR_ATTACHMENT0, GL_RGBA, GL_FLOAT, sizeof(glm::vec4)};
   return {GL_COLOR_ATTACHMENT1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, sizeof(glm::uvec4)};
 }
 

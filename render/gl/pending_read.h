@@ -24,8 +24,8 @@ class PendingRead {
 
   glm::ivec2 size() const { return size_; }
   bool is_over() const { return buffer_.is_over(); }  ///< does not wait
-  /// glm::vec4 of a colour, glm::uvec4 of counts, four bytes a pixel of what is shown; row 0 at the top. Waits
-  /// until it is over. Throws Error when the driver fails.
+  /// glm::vec4 of a colour, glm::uvec4 of counts, four bytes a pixel of what is shown; row 0 at the top.
+  /// Waits until it is over. Throws Error when the driver fails.
   std::vector<glm::vec4> color() const { return pixels<glm::vec4>(); }
   std::vector<glm::uvec4> counts() const { return pixels<glm::uvec4>(); }
   std::vector<glm::u8vec4> shown() const { return pixels<glm::u8vec4>(); }

@@ -70,8 +70,7 @@ std::vector<std::uint32_t> read_counts(const gl::PendingBuffer& from, const Leav
 /// Of the longest ray that the box may have, with one to spare for rounding.
 std::uint32_t most_samples(const Scene& scene) {
   const Grid& grid = scene.volume->grid;
-  const double steps =
-      glm::length(grid.box_size()) / (grid.smallest_spacing() * scene.rendering.step);
+  const double steps = glm::length(grid.box_size()) / (grid.smallest_spacing() * scene.rendering.step);
   return std::uint32_t(std::ceil(steps)) + 1;
 }
 
@@ -168,8 +167,7 @@ gl::PendingBuffer Vdls::set_up(const Prepared& p, const Camera& camera, const gl
   return gl::PendingBuffer(std::move(buffer));
 }
 
-Proxy Vdls::make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size,
-                       const LeafCounts& counts) {
+Proxy Vdls::make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size, const LeafCounts& counts) {
   const Scene& scene = p.scene;
   work_ = {};
   Proxy proxy;

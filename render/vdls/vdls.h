@@ -58,11 +58,11 @@ class Vdls {
   /// Each leaf's greatest sample count.
   using LeafCounts = std::vector<std::uint32_t>;
   /// Begins the picture; returns the leaves' counts, on their way.
-  gl::PendingBuffer set_up(const Prepared& p, const Camera& camera, const gl::RenderTarget& target, Tile tile);
+  gl::PendingBuffer set_up(const Prepared& p, const Camera& camera, const gl::RenderTarget& target,
+                           Tile tile);
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
             const std::function<LeafCounts(const gl::PendingBuffer& set_up)>& counts);
-  Proxy make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size,
-                   const LeafCounts& counts);
+  Proxy make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size, const LeafCounts& counts);
   void bind_volume(const Prepared& p, GLuint program);
   void draw_layers(const Prepared& p, const Camera& camera, glm::ivec2 size, const Proxy& proxy);
 
