@@ -36,6 +36,7 @@ void FrameLog::add_versions(Clock::time_point frame_begin,
 std::string FrameLog::summary() const {
   nlohmann::ordered_json json;
   json["frame_ms"] = summarise(frame_ms_);
+  json["processor_ms"] = summarise(processor_ms_);
   for (std::size_t i = 0; i < view_count; ++i)
     json["edit_to_view_ms"][std::string(name_of(view_modes[i]))] = summarise(latency_ms_[i]);
   return json.dump(2) + "\n";

@@ -12,13 +12,17 @@
 
 namespace crest {
 
-/// How live the window is: the time of each frame while a mouse button is held, and how long each view takes
-/// from an edit until it shows it.
+/// How live the window is: the time of each frame while a mouse button is held, what the processors spend on
+/// it (without a graphics card, that is all of its work, whatever else the machine does), and how long each
+/// view takes from an edit until it shows it.
 class FrameLog {
  public:
   using Clock = std::chrono::steady_clock;
 
-  void add_frame(double ms) { frame_ms_.push_back(ms); }
+  void add_frame(double ms, double processor_ms) {
+    frame_ms_.push_back(ms);
+    processor_ms_.push_back(processor_ms);
+  }
   /// Tells what each view wants and shows, at the end of each frame; an edit counts from the beginning of the
   /// frame that first wants it.
   void add_versions(Clock::time_point frame_begin, const std::array<std::uint64_t, picture_count>& wanted,
@@ -28,7 +32,7 @@ class FrameLog {
   std::string summary() const;
 
  private:
-  std::vector<double> frame_ms_;
+  std::vector<double> frame_ms_, processor_ms_;
   std::array<std::map<std::uint64_t, Clock::time_point>, view_count> waiting_;
   std::array<std::uint64_t, view_count> last_wanted_{};
   std::array<std::vector<double>, view_count> latency_ms_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ctime>
 #include <thread>
 
 #include "app/commands.h"
@@ -100,6 +101,7 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
       settling = settling_frames;
     }
     const auto begin = Clock::now();
+    const std::clock_t processor_begin = std::clock();
     if (window.had_input()) {
       last_input = begin;
       settling = settling_frames;
@@ -129,7 +131,8 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
 
     frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     studio.set_performance_text(fmt::format("{:.0f} ms a frame", frame_ms));
-    if (window.is_mouse_down()) log.add_frame(frame_ms);
+    const double processor_ms = 1e3 * double(std::clock() - processor_begin) / CLOCKS_PER_SEC;
+    if (window.is_mouse_down()) log.add_frame(frame_ms, processor_ms);
     log.add_versions(begin, studio.views().wanted_versions(), studio.views().shown_versions());
     layout.update(studio);
   }

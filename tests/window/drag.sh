@@ -6,16 +6,14 @@ set -eu
 program=$1 log=$2 volume=${3:-builtin:plume?n=128} preset=${4:-dirac-shell}
 source "$(dirname "$0")/drive.sh"
 
-timeout 600 "$program" "$volume" --preset "$preset" --log-layout "$layout" --log-frames "$log" &
+timeout 300 "$program" "$volume" --preset "$preset" --log-layout "$layout" --log-frames "$log" &
 wait_for 30 has_widget view0
 wait_for 60 is_idle
 if [ -n "${SIZE:-}" ]; then
   xdotool search --onlyvisible --name Crest windowsize ${SIZE/x/ }
-  sleep 1
-  wait_for 200 is_idle
+  sleep 2
   xdotool key 3
-  sleep 1
-  wait_for 200 is_idle
+  sleep 2
 fi
 # There and back on other ways, so that nothing is drawn that was drawn before
 for by in '15 -60' '-11 57' '17 -53' '-23 41'; do
@@ -23,9 +21,9 @@ for by in '15 -60' '-11 57' '17 -53' '-23 41'; do
 done
 [ -z "${SIZE:-}" ] || drag "$(place view2)" 200 90 60
 [ -z "${SCREENSHOT:-}" ] || import -window root "$SCREENSHOT"
-wait_for 300 is_idle
+[ -n "${SIZE:-}" ] || wait_for 60 is_idle
 # All is undone, so that nothing is asked on quitting
-for _ in $(seq 12); do
+for _ in $(seq 60); do
   title_is '[!*]*' && break
   xdotool key ctrl+z
   sleep 0.5
