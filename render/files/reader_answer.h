@@ -11,8 +11,7 @@ namespace crest {
 // them as many values, in the machine's bytes, as it tells: floats, or, of a volume, what "stored" says.
 //   {"expects": bytes, "seconds": of processor time}   what it sets about, and when it is ended; any number
 //   {"read": share}                                    how much of the file it has read, in [0, 1]; at most
-//   some
-//                                                      hundred, most_told
+//                                                      some hundred, most_told
 //   {"error": "..."}                                    then no more; with "choice" it is ChoiceNeeded
 //   {"volume": {...}, "values": count, "stored": {"type", "slope", "intercept"}}
 //                                                      all but statistics, name and file

@@ -69,9 +69,14 @@ Volume read_vtk(const FileRequest& request) {
   }
   if (!file.unread.empty())
     add_note(header.note, fmt::format("what follows its arrays is not read: {}", file.unread));
-  if (array.is_of_255) header.scaling = {255, 0};
+  if (array.is_of_255) {
+    header.scaling = {255, 0};
+    if (request.query.contains("subtract"))
+      throw Error(fmt::format("{}: {} holds bytes, written as text: subtract is for large integers", name,
+                              array.name));
+  }
   Volume volume = read_voxels(request, header, ",array");
-  if (array.is_of_255 && !request.query.contains("subtract"))
+  if (array.is_of_255)
     for (float& value : volume.values.floats()) value = std::round(value);  // which text has to six digits
   return volume;
 }

@@ -52,6 +52,7 @@ TEST_F(VtkArrays, ColoursAsTextAreBytes) {
   const Volume volume = load_volume(write("a.vtk", legacy("ASCII", rest + "\n")));
   for (int i = 0; i < 60; ++i) EXPECT_EQ(volume.values[std::size_t(i)], float(i * 4 + 3));
   EXPECT_NE(volume.note.find("255 times"), std::string::npos) << volume.note;
+  expect_error(path("a.vtk") + "?subtract=1", {"holds bytes", "subtract"});
   rest = "POINT_DATA 60\nCOLOR_SCALARS c 1\n" + voxel_bytes(uint8, endian::big);
   EXPECT_EQ(load_volume(write("b.vtk", legacy("BINARY", rest))).values[7], float(stored_value(uint8, 7)));
 }

@@ -45,6 +45,12 @@ std::vector<std::string> recovery_seeds() {
     kept.document.library_name = i % 3 ? "" : "onion";
     seeds.push_back(recovery_text(kept));
   }
+  for (const char* time : {"9223372036854775806", "-1e300"}) {
+    std::string text = seeds[0];
+    const std::string field = "\"time\": ";
+    const std::size_t begin = text.find(field) + field.size();
+    seeds.push_back(text.replace(begin, text.find(',', begin) - begin, time));
+  }
   return seeds;
 }
 
