@@ -213,10 +213,23 @@ go_home() {
   for i in "One view" New; do surely "$i" || return 1; done
   shows "start/Open volume..." || surely "Close volume" || return 1
   for i in $(seq 100); do
-    # It gives memory back after two seconds (app/idle_memory.cpp)
-    if is_idle && shows "start/Open volume..."; then sleep 4; return 0; fi
+    if is_idle && shows "start/Open volume..."; then rest; return 0; fi
     has_ended && return 1
     sleep 0.1
   done
   return 1
 }
+
+# Until it has done nothing for a while, pictures on its start page neither: then it gives memory back (app/idle_memory.cpp).
+rest() {
+  local before now quiet=0 i
+  before=$(ticks)
+  for i in $(seq 40); do
+    sleep 1
+    now=$(ticks)
+    if [ $((now - before)) -le 5 ]; then quiet=$((quiet + 1)); else quiet=0; fi
+    before=$now
+    [ $quiet -lt 4 ] || return 0
+  done
+}
+ticks() { awk '{ print $14 + $15 }' "/proc/$pid/stat" 2>/dev/null || echo 0; } # of processor time, hundredths of a second
