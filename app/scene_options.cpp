@@ -6,6 +6,7 @@
 #include <array>
 #include <regex>
 
+#include "app/load_with_progress.h"
 #include "app/preset_source.h"
 #include "app/sources.h"
 #include "presets/error.h"
@@ -105,7 +106,7 @@ std::string SceneOptions::source() const {
 }
 
 std::shared_ptr<const Volume> SceneOptions::load() const {
-  return std::make_shared<const Volume>(load_volume(source()));
+  return std::make_shared<const Volume>(load_with_progress(source()));
 }
 
 std::shared_ptr<const Volume> SceneOptions::in_range_of_steps(std::shared_ptr<const Volume> loaded,
