@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/export_files.h"
 #include "app/export_preview.h"
+#include "app/load_with_progress.h"
 #include "app/offscreen_context.h"
 #include "app/scene_options.h"
 #include "app/sources.h"
@@ -17,7 +18,6 @@
 #include "presets/json_text.h"
 #include "presets/preset_file.h"
 #include "presets/printable.h"
-#include "render/files/load.h"
 #include "render/scene/export_input.h"
 
 namespace crest {
@@ -84,7 +84,7 @@ void export_preset(const ExportCommandOptions& options) {
   Preset preset = load_preset(options.preset);
   if (preset.name.empty()) preset.name = fs::path(options.preset).stem().string();
   std::shared_ptr<const Volume> volume;
-  if (!options.volume.empty()) volume = std::make_shared<const Volume>(load_volume(options.volume));
+  if (!options.volume.empty()) volume = std::make_shared<const Volume>(load_with_progress(options.volume));
   const ExportInput input =
       export_input(preset, volume.get(), rows_of(options.samples),
                    stem_of(options.output, exporter.extension), pixels_of(options.size));

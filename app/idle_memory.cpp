@@ -1,6 +1,8 @@
 #include "app/idle_memory.h"
 
+#ifdef __GLIBC__
 #include <malloc.h>
+#endif
 
 namespace crest {
 namespace {

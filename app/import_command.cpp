@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "app/commands.h"
+#include "app/load_with_progress.h"
 #include "app/sources.h"
 #include "presets/atomic_file.h"
 #include "presets/error.h"
@@ -9,7 +10,6 @@
 #include "presets/json_text.h"
 #include "presets/preset_file.h"
 #include "presets/printable.h"
-#include "render/files/load.h"
 
 namespace crest {
 namespace {
@@ -50,7 +50,7 @@ void import_file(const ImportOptions& options) {
   TransferFunction read = chosen.preset.transfer_function;
   Preset preset = options.onto.empty() ? chosen.preset : load_preset(options.onto);
   if (!options.volume.empty()) {
-    const Volume volume = load_volume(options.volume);
+    const Volume volume = load_with_progress(options.volume);
     const auto in_volume = [&](const TransferFunction& tf) {
       return resolve(tf, volume.statistics.range, volume.grid.smallest_spacing());
     };

@@ -1,11 +1,11 @@
 #include <fmt/core.h>
 
 #include "app/commands.h"
+#include "app/load_with_progress.h"
 #include "app/sources.h"
 #include "presets/atomic_file.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
-#include "render/files/load.h"
 #include "render/volume/by_value.h"
 #include "render/volume/orientation.h"
 #include "render/volume/suggested_peaks.h"
@@ -46,7 +46,7 @@ void print_info(const InfoOptions& options) {
     require_other_file(options.by_value, options.volume, "--by-value");
     require_writable(options.by_value);
   }
-  const Volume volume = load_volume(options.volume);
+  const Volume volume = load_with_progress(options.volume);
   const VolumeStatistics& statistics = volume.statistics;
   nlohmann::ordered_json json;
   json["name"] = volume.name;

@@ -1,12 +1,12 @@
 #include <fmt/core.h>
 
 #include "app/commands.h"
+#include "app/load_with_progress.h"
 #include "app/sources.h"
 #include "presets/atomic_file.h"
 #include "presets/json.h"
 #include "presets/json_text.h"
 #include "presets/preset_file.h"
-#include "render/files/load.h"
 #include "render/volume/fit_values.h"
 #include "render/volume/match_values.h"
 #include "ui/edit_points.h"
@@ -28,15 +28,15 @@ struct Carried {
 Carried carry(const TransferFunction& tf, const MatchOptions& options) {
   Carried carry;
   if (options.by == "least-squares") {
-    const Volume from = load_volume(options.from), to = load_volume(options.to);
+    const Volume from = load_with_progress(options.from), to = load_with_progress(options.to);
     carry.before = in_domain(tf, Domain::data, from.statistics.range);
     carry.to = to.statistics.range;
     carry.fit = fit_values(from, to);
     carry.after = carried(carry.before, *carry.fit);
     return carry;
   }
-  const ValueDistribution from = distribution_of(load_volume(options.from)),
-                          to = distribution_of(load_volume(options.to));
+  const ValueDistribution from = distribution_of(load_with_progress(options.from)),
+                          to = distribution_of(load_with_progress(options.to));
   carry.before = in_domain(tf, Domain::data, from.range);
   carry.to = to.range;
   carry.after = carried(carry.before, from, to, options.by == "range" ? CarryBy::range : CarryBy::histogram);

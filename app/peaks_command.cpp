@@ -3,13 +3,13 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/load_with_progress.h"
 #include "app/sources.h"
 #include "presets/error.h"
 #include "presets/json.h"
 #include "presets/preset_file.h"
 #include "render/classify/classification.h"
 #include "render/classify/peak_table.h"
-#include "render/files/load.h"
 #include "render/volume/every_nth_point.h"
 #include "render/volume/filter_bounds.h"
 
@@ -76,7 +76,7 @@ void print_peaks(const PeaksOptions& options) {
   ValueRange range = tf.range();
   std::optional<Volume> volume;
   if (!options.volume.empty()) {
-    volume = load_volume(options.volume);
+    volume = load_with_progress(options.volume);
     range = volume->statistics.range;
     tf = resolve(tf, range, volume->grid.smallest_spacing());
     range = field_range(root_filter(preset.rendering), range);

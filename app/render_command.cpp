@@ -126,8 +126,11 @@ using SharedVolume = std::shared_ptr<const Volume>;
 /// What is wrong with the size, or with where the picture goes, is found before any work.
 SharedVolume read_volume(const RenderOptions& options) {
   options.picture.pixels();
-  require_other_file(options.picture.output, options.scene.volume);
   require_output(options.picture);
+  for (int i = 0; i < options.turntable; ++i)
+    require_other_file(numbered(options.picture.output, i, options.turntable), options.scene.volume);
+  if (!options.error_bound.empty())
+    require_other_file(options.error_bound, options.scene.volume, "--error-bound");
   if (!options.error_bound.empty()) require_picture_file(options.error_bound);
   return options.scene.load();
 }
@@ -167,6 +170,10 @@ void render_steps(const RenderOptions& all) {
   one.scene.frame = "0";
   SharedVolume volume = read_volume(one);
   const int count = volume->frames;
+  const auto output = [&](int step) {
+    return count > 1 ? with_number(all.picture.output, step, count - 1).string() : all.picture.output;
+  };
+  for (int i = 0; i < count; ++i) require_other_file(output(i), all.scene.volume);
   const Preset said = all.scene.read_preset();
   const ValueRange range = all.scene.in_range_of_steps(volume, said)->statistics.range;
   const double aspect = aspect_of(all.picture.pixels());
@@ -185,7 +192,7 @@ void render_steps(const RenderOptions& all) {
     widen_range(*step, range);
     one.preset = all.picture.with_exact(all.scene.for_volume(said, *step, aspect));
     if (!camera) camera = camera_of(one.preset, step->grid, aspect);
-    if (count > 1) one.picture.output = with_number(all.picture.output, i, count - 1).string();
+    one.picture.output = output(i);
     const Scene scene = make_scene(step, one.preset);
     if (is_exact_answer)
       render_on_cpu(scene, *camera, one);

@@ -6,6 +6,7 @@
 #include <array>
 #include <regex>
 
+#include "app/load_with_progress.h"
 #include "app/preset_source.h"
 #include "app/sources.h"
 #include "presets/error.h"
@@ -109,7 +110,7 @@ std::string SceneOptions::source() const {
 }
 
 std::shared_ptr<const Volume> SceneOptions::load() const {
-  return std::make_shared<const Volume>(load_volume(source()));
+  return std::make_shared<const Volume>(load_with_progress(source()));
 }
 
 bool SceneOptions::depends_on_range(const Preset& said) const {

@@ -21,10 +21,14 @@ std::vector<std::filesystem::path> files_of(const std::string& source) {
 }
 
 void require_other_file(const std::filesystem::path& output, const std::string& read, const char* option) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(output, ignored)) return;
+  const auto folder = std::filesystem::absolute(output, ignored).parent_path();
   for (const std::filesystem::path& file : files_of(read)) {
-    std::error_code ignored;
-    if (std::filesystem::equivalent(file, output, ignored))
-      throw UsageError(option, output.string() + " is what is read, which would be lost");
+    const bool is_same = std::filesystem::is_directory(file, ignored)
+                             ? std::filesystem::equivalent(file, folder, ignored)  // its images are read
+                             : std::filesystem::equivalent(file, output, ignored);
+    if (is_same) throw UsageError(option, output.string() + " is what is read, which would be lost");
   }
 }
 

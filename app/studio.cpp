@@ -129,7 +129,10 @@ StudioInputs Studio::inputs(bool close_requested) {
   inputs.unsaved_changes = has_unsaved_changes();
   inputs.saved = saved_preset();
   inputs.close_requested = close_requested;
-  if (is_loading()) inputs.loading = loader_.source();
+  if (is_loading()) {
+    inputs.loading = loader_.source();
+    inputs.loading_share = loader_.share();
+  }
   inputs.imported = imported_;
   inputs.import_take = import_take_;
   inputs.export_picture = export_picture_.picture();

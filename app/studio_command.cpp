@@ -108,7 +108,7 @@ void run_frames(const StudioOptions& options, Window& window, Studio& studio) {
     }
     if (settling <= 0 && !studio.is_drawing() && !studio.is_loading() && !studio.has_news() &&
         !studio.animates()) {
-      memory.rest(begin, last_input);
+      if (!studio.is_measuring()) memory.rest(begin, last_input);
       continue;
     }
     memory.note_work();

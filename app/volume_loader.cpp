@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <new>
 #include <thread>
@@ -11,26 +12,24 @@
 
 namespace crest {
 
-struct VolumeLoader::Job {
-  Result result;
-  std::stop_source stop;
-  std::atomic<bool> is_done = false;
-};
-
 namespace {
 
-Volume read_until(const std::string& source, std::stop_token stop) {
-  Reading reading;
-  reading.stop = std::move(stop);
-  reading.asks = true;
-  return load_first_step(source, reading);
-}
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds before_share{500};
 
 }  // namespace
 
-VolumeLoader::VolumeLoader() : VolumeLoader(read_until) {}
+struct VolumeLoader::Job {
+  Result result;
+  std::stop_source stop;
+  std::atomic<double> share = -1;  ///< negative while nothing was told
+  std::atomic<bool> is_done = false;
+  Clock::time_point begin = Clock::now();
+};
 
-VolumeLoader::Read VolumeLoader::default_read() { return read_until; }
+VolumeLoader::VolumeLoader() : VolumeLoader(default_read()) {}
+
+VolumeLoader::Read VolumeLoader::default_read() { return load_first_step; }
 
 VolumeLoader::VolumeLoader(Read read) : read_(std::move(read)) {}
 
@@ -51,7 +50,11 @@ void VolumeLoader::start(const std::string& source) {
   threads_.push_back(job_);
   std::thread([job = job_, read = read_, source] {
     try {
-      job->result.volume = std::make_shared<const Volume>(read(source, job->stop.get_token()));
+      Reading reading;
+      reading.asks = true;
+      reading.stop = job->stop.get_token();
+      reading.progress = [job](double share) { job->share = share; };
+      job->result.volume = std::make_shared<const Volume>(read(source, reading));
     } catch (const std::bad_alloc&) {
       job->result.error = source + ": reading it takes more memory than there is";
     } catch (const ChoiceNeeded& needed) {
@@ -67,6 +70,11 @@ void VolumeLoader::start(const std::string& source) {
 std::optional<VolumeLoader::Result> VolumeLoader::take() {
   if (!job_ || !job_->is_done) return std::nullopt;
   return std::move(std::exchange(job_, nullptr)->result);
+}
+
+std::optional<double> VolumeLoader::share() const {
+  if (!job_ || job_->share < 0 || Clock::now() - job_->begin < before_share) return std::nullopt;
+  return job_->share;
 }
 
 bool VolumeLoader::has_news() const { return job_ && job_->is_done; }

@@ -3,10 +3,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "render/files/file_request.h"
 #include "render/files/open_choice.h"
 #include "render/volume/volume.h"
 
@@ -17,11 +17,12 @@ namespace crest {
 /// and what it finds is dropped. No call waits.
 class VolumeLoader {
  public:
-  using Read = std::function<Volume(const std::string& source, std::stop_token stop)>;
-  /// Reads with load_first_step(), which asks (Reading::asks).
+  using Read = std::function<Volume(const std::string& source, const Reading& reading)>;
+  /// Reads with load_first_step().
   VolumeLoader();
   static Read default_read();
-  /// `read` is called in other threads, also after the loader is gone.
+  /// `read` is called in other threads, also after the loader is gone, with a reading that asks
+  /// (Reading::asks), stops and tells how far it is.
   explicit VolumeLoader(Read read);
   ~VolumeLoader();
   VolumeLoader(const VolumeLoader&) = delete;
@@ -41,6 +42,9 @@ class VolumeLoader {
   bool is_loading() const { return job_ != nullptr; }
   bool has_news() const;              ///< take() has something
   const std::string& source() const;  ///< of what is being read; is_loading() must be true
+  /// How much of it is read, in [0, 1]. Nothing while no reader has told, and in the first half second: a
+  /// number that comes and goes at once is of no use.
+  std::optional<double> share() const;
   /// What was read, once.
   std::optional<Result> take();
 

@@ -25,17 +25,23 @@ std::string volume_text(const Volume* volume) {
   return text;
 }
 
-/// A bar that moves to and fro, since readers do not tell how far they are; what is read, and a button that
-/// stops it. Returns their width.
-float loading_sign(StudioState& state, const std::string& source, StudioRequests& requests) {
+/// A bar, filled by how much is read, or moving to and fro while nobody knows; what is read, and a button
+/// that stops it. Returns their width.
+float loading_sign(StudioState& state, const StudioInputs& inputs, StudioRequests& requests) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFontSize(), width = scaled(80), moving = scaled(24), gap = scaled(8);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width, corner.y + height}, palette().frame);
   const float swing = 0.5F - 0.5F * float(std::cos(2 * ImGui::GetTime()));
-  const float at = corner.x + (width - moving) * swing;
-  list.AddRectFilled({at, corner.y}, {at + moving, corner.y + height}, palette().accent);
-  const std::string text = fmt::format("Reading {} ...", source);
+  const float left = inputs.loading_share ? 0 : (width - moving) * swing,
+              right = inputs.loading_share ? width * float(*inputs.loading_share) : left + moving;
+  const ImVec2 from{corner.x + left, corner.y}, to{corner.x + right, corner.y + height};
+  list.AddRectFilled(from, to, palette().accent);
+  std::string text = fmt::format("Reading {} ...", inputs.loading);
+  if (inputs.loading_share) {
+    state.widgets.items["loaded share"] = {from, to};
+    text += fmt::format(" {:.0f} %", 100 * *inputs.loading_share);
+  }
   const float text_width = ImGui::CalcTextSize(text.c_str()).x;
   list.AddText({corner.x + width + gap, corner.y}, palette().text, text.c_str());
   ImGui::SetCursorScreenPos({corner.x + width + gap + text_width + gap, corner.y});
@@ -52,7 +58,7 @@ void status_bar(StudioState& state, const StudioInputs& inputs, StudioRequests& 
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float gap = scaled(24);
   float left = corner.x, right = corner.x + room.x;
-  if (!inputs.loading.empty()) left += loading_sign(state, inputs.loading, requests) + gap;
+  if (!inputs.loading.empty()) left += loading_sign(state, inputs, requests) + gap;
   const auto write_left = [&](const std::string& text, ImU32 color) {
     if (text.empty() || left >= right) return;
     list.PushClipRect({left, corner.y}, {right, corner.y + room.y + scaled(4)}, true);

@@ -129,8 +129,9 @@ struct StudioInputs {
   const AccuracyResults* accuracy = nullptr;         ///< null while nothing was ever measured
   const ChoiceResults* choice = nullptr;             ///< null while nothing was ever chosen
   std::string loading;                               ///< the volume that is being read; empty while none is
-  std::string version;                               ///< of the program
-  std::string message;                               ///< the last news or error, one line
+  std::optional<double> loading_share;  ///< of that one, in [0, 1]; nothing while it is not known
+  std::string version;                  ///< of the program
+  std::string message;                  ///< the last news or error, one line
   bool message_is_error = false;
   std::vector<std::string> recent;  ///< volumes and presets opened last, newest first
   /// An ImTextureID each, of 4:3, or 0: of `recent`, and of examples(). Both may be shorter, or empty.

@@ -1,6 +1,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -134,20 +135,23 @@ class Pass {
 
 VolumeStatistics compute_statistics(const Grid& grid, const Voxels& values, int bins,
                                     const TellShare& progress) {
-  // Progress is told by this thread, after each batch of so many voxels or a slice; all but the histogram of
-  // floats is counted.
+  // Progress is told by this thread, after each batch of so many voxels, or of some slices for each thread.
   constexpr std::size_t batch = std::size_t(1) << 25;
-  constexpr int grain = 4;  // slices: the last one is mapped twice
+  const int threads = tbb::this_task_arena::max_concurrency();
+  const int grain = std::clamp(grid.dims.z / (4 * threads), 1, 4);  // slices: the last one is mapped twice
   const std::size_t slice = std::size_t(grid.dims.x) * std::size_t(grid.dims.y);
-  const int slices = int(std::clamp<std::size_t>(batch / slice, 1, std::size_t(grid.dims.z)));
+  const int slices = std::max(int(std::min(batch / slice, std::size_t(grid.dims.z))), 4 * grain * threads);
+  const double pass_share = values.are_floats() ? 0.8 : 1;  // a histogram of floats comes after it
   Pass pass(grid, values);
   for (int begin = 0; begin < grid.dims.z; begin += slices) {
     const int end = std::min(begin + slices, grid.dims.z);
     tbb::parallel_for(tbb::blocked_range<int>(begin, end, grain),
                       [&](const auto& part) { pass.add(part.begin(), part.end()); });
-    tell(progress, double(end) / double(grid.dims.z));
+    tell(progress, pass_share * double(end) / double(grid.dims.z));
   }
-  return pass.finish(bins);
+  VolumeStatistics statistics = pass.finish(bins);
+  tell(progress, 1);
+  return statistics;
 }
 
 std::optional<ValueRange> finite_range(const Volume& volume) {

@@ -228,5 +228,16 @@ TEST_F(CommandLine, AVolumeIsNotWrittenOver) {
   EXPECT_EQ(content_of(volume), "a picture");
 }
 
+TEST_F(CommandLine, NeitherIsAnImageOfAStack) {
+  std::filesystem::create_directory(path("stack"));
+  for (const char* name : {"stack/s-001.png", "stack/s-002.png"}) write(name, "an image");
+  const Words drawn{"render", path("stack"), "--preset", "onion"};
+  expect_error(2, drawn + Words{"-o", path("stack/s-001.png")}, {"s-001.png", "would be lost"});
+  expect_error(2, drawn + Words{"-o", path("stack/s.png"), "--turntable", "100"},
+               {"s-001.png", "would be lost"});
+  expect_error(2, drawn + Words{"-o", path("p.png"), "--exact", "--error-bound", path("stack/s-002.png")},
+               {"--error-bound", "would be lost"});
+}
+
 }  // namespace
 }  // namespace crest::test

@@ -22,12 +22,12 @@ class Film {
 
   std::shared_ptr<const Volume> first() const { return std::make_shared<const Volume>(step(0)); }
   VolumeLoader::Read read() {
-    return [this](const std::string& source, const std::stop_token& stop) {
+    return [this](const std::string& source, const Reading& reading) {
       const int frame = std::stoi(source.substr(source.rfind('=') + 1));
       std::unique_lock lock(mutex_);
       ++begun_[frame];
       changed_.notify_all();
-      changed_.wait(lock, [&] { return open_ || passes_.contains(frame) || stop.stop_requested(); });
+      changed_.wait(lock, [&] { return open_ || passes_.contains(frame) || reading.stop.stop_requested(); });
       if (damaged_ == frame) throw Error("film: step is damaged");
       return step(frame);
     };

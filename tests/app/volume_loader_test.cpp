@@ -15,9 +15,10 @@ namespace {
 class SlowReader {
  public:
   VolumeLoader::Read read() const {
-    return [released = released_](const std::string& source, const std::stop_token& stop) {
+    return [released = released_](const std::string& source, const Reading& reading) {
+      tell(reading.progress, 0.25);
       if (source.starts_with("until stopped")) {
-        while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        while (!reading.stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       }
       if (source.starts_with("slow")) released.wait();
       if (source.ends_with("bad")) throw Error(source + ": is bad");
@@ -60,6 +61,22 @@ TEST(VolumeLoader, ReadsBesideTheCaller) {
   EXPECT_EQ(result.volume->name, "slow");
   EXPECT_FALSE(loader.is_loading());
   EXPECT_FALSE(loader.take()) << "told once";
+}
+
+TEST(VolumeLoader, TellsHowMuchIsRead) {
+  SlowReader reader;
+  VolumeLoader loader(reader.read());
+  EXPECT_FALSE(loader.share()) << "nothing is read";
+  loader.start("slow");
+  EXPECT_FALSE(loader.share()) << "not at once";
+  while (!loader.share()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(*loader.share(), 0.25);
+  loader.start("slow");
+  EXPECT_FALSE(loader.share()) << "of the one before";
+  loader.cancel();
+  EXPECT_FALSE(loader.share());
+  reader.release();
+  wait_for_threads(loader);
 }
 
 TEST(VolumeLoader, TheLastOneCounts) {

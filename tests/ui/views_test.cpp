@@ -135,5 +135,25 @@ TEST_F(Views, WhatIsReadIsToldAndCanBeCancelled) {
   EXPECT_FALSE(has("cancel loading"));
 }
 
+TEST_F(Views, ABarIsFilledByHowMuchIsRead) {
+  const auto filled = [&](double share) {
+    inputs.loading_share = share;
+    frame();
+    const auto [from, to] = state->widgets.items.at("loaded share");
+    return to.x - from.x;
+  };
+  inputs.loading = "large.nrrd";
+  frame();
+  EXPECT_FALSE(has("loaded share")) << "nobody has told";
+  const float whole = filled(1);
+  EXPECT_GT(whole, 0);
+  EXPECT_FLOAT_EQ(filled(0.25), whole / 4);
+  EXPECT_EQ(filled(0), 0);
+  EXPECT_TRUE(has("cancel loading"));
+  inputs.loading.clear();
+  frame();
+  EXPECT_FALSE(has("loaded share"));
+}
+
 }  // namespace
 }  // namespace crest::test
