@@ -135,7 +135,8 @@ class TiffFile : public PageFile {
 
   std::size_t pages() override { return offsets().size(); }
 
-  /// Where the first page, the only one, may have others behind its pixels.
+  /// Where the first page, the only one, may have others behind its pixels: ImageJ writes the directory
+  /// before them.
   std::optional<TiffStack> stack() {
     const Page page = go_to(0);
     const char* text = nullptr;
@@ -145,8 +146,10 @@ class TiffFile : public PageFile {
     const bool is_plain = page.compression == COMPRESSION_NONE && type && page.bits == 8 * size_of(*type) &&
                           page.planar == PLANARCONFIG_CONTIG && TIFFIsTiled(tiff_) == 0;
     if (images < 2 || !is_plain || pages() > 1) return std::nullopt;
-    return TiffStack{images, TIFFGetStrileOffset(tiff_, 0),
-                     TIFFIsBigEndian(tiff_) != 0 ? std::endian::big : std::endian::little};
+    const std::uint64_t begin = TIFFGetStrileOffset(tiff_, 0);
+    if (begin < TIFFCurrentDirOffset(tiff_))
+      return std::nullopt;  // a description that is left of another file
+    return TiffStack{images, begin, TIFFIsBigEndian(tiff_) != 0 ? std::endian::big : std::endian::little};
   }
 
   PageFormat format(std::size_t number) override {
