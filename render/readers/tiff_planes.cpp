@@ -186,6 +186,11 @@ void take_ome_spacing(pugi::xml_node pixels, PlaneOrder& order) {
   if (!(spacing.z > 0)) add_note(order.lengths, unknown_distance);
 }
 
+/// Channels of a pixel in one plane.
+unsigned samples_of(pugi::xml_node pixels) {
+  return std::max(1u, pixels.child("Channel").attribute("SamplesPerPixel").as_uint(1));
+}
+
 PlaneOrder order_ome(const std::string& name, const std::string& text, std::size_t pages) {
   pugi::xml_document document;
   document.load_buffer(text.data(), text.size());
@@ -200,7 +205,7 @@ PlaneOrder order_ome(const std::string& name, const std::string& text, std::size
   for (auto& [letter, size] : sizes.size)
     size = std::clamp<std::size_t>(pixels.attribute(fmt::format("Size{}", letter).c_str()).as_uint(1), 1,
                                    longest);
-  const std::size_t samples = std::max(1u, pixels.child("Channel").attribute("SamplesPerPixel").as_uint(1));
+  const std::size_t samples = samples_of(pixels);
   if (sizes.size['C'] % samples == 0) sizes.size['C'] /= samples;
   PlaneOrder order;
   order.components = sizes.size['C'], order.slices = sizes.size['Z'], order.frames = sizes.size['T'];
@@ -273,8 +278,8 @@ PlaneOrder order_one(const TiffDescription& description) {
     pugi::xml_document document;
     document.load_buffer(description.text.data(), description.text.size());
     const pugi::xml_node pixels = document.first_element_by_path("OME/Image/Pixels");
-    const unsigned samples = std::max(1u, pixels.child("Channel").attribute("SamplesPerPixel").as_uint(1));
-    tells_more = pixels.attribute("SizeC").as_uint(1) > samples || pixels.attribute("SizeT").as_uint(1) > 1;
+    tells_more =
+        pixels.attribute("SizeC").as_uint(1) > samples_of(pixels) || pixels.attribute("SizeT").as_uint(1) > 1;
     take_ome_spacing(pixels, order);
   }
   if (tells_more) add_note(order.note, "channels and frames that descriptions tell of are not taken apart");
