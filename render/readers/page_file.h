@@ -36,6 +36,8 @@ class PageFile {
   virtual void read(std::size_t page, std::span<std::byte> out) = 0;
 };
 
+/// By the file's extension.
+bool is_tiff(const std::filesystem::path& file);
 /// By the file's extension; what is no is_plain_image() is OpenImageIO's. Throws Error for what is no such
 /// image.
 std::unique_ptr<PageFile> open_pages(const std::filesystem::path& file);

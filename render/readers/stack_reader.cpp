@@ -63,16 +63,20 @@ glm::dvec3 vector_of(const FileRequest& request, std::string_view key, glm::dvec
 /// The images that become slices, of a channel of theirs, and what their file says of them.
 struct Stack {
   std::vector<Page> pages;
+  PageFormat format = {};  ///< each page's
   std::size_t channel = 0;
   std::optional<glm::dvec3> spacing = {};
-  LinearMap scaling = {};
+  std::string lengths = {};  ///< a note, unless the query says the spacing
+  LinearMap scaling = {};    ///< from the stored values, where they are_scaled()
   std::string note = {};
   int frames = 1, frame = 0;  ///< as the volume's
 };
 
+/// Calibrations of ImageJ's are of integers of 8 and 16 bits.
+bool are_scaled(ScalarType type) { return is_integer(type) && size_of(type) <= 2; }
+
 Volume read_stack(const FileRequest& request, const Stack& stack) {
-  auto file = open_pages(stack.pages.front().file);
-  const PageFormat first = file->format(stack.pages.front().number);
+  const PageFormat& first = stack.format;
   const glm::u64vec3 dims(first.width, first.height, stack.pages.size());
   const GridPart part = request.part_of(dims);
   request.require_memory({part, held_size_of(first.type), first.bytes()});
@@ -82,14 +86,15 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
   volume.note = stack.note;
   volume.frames = stack.frames;
   volume.frame = stack.frame;
-  const bool spacing_known = stack.spacing || request.query.contains("spacing");
   volume.grid = {glm::ivec3(dims), vector_of(request, "spacing", stack.spacing.value_or(glm::dvec3(1))),
                  vector_of(request, "origin", glm::dvec3(0))};
   add_note(volume.note, first.note);
-  if (!spacing_known)
-    add_note(volume.note, "its spacing is not known, and taken as 1: ?spacing=x,y,z says it");
-  LinearMap scaling;
-  if (is_integer(first.type) && size_of(first.type) <= 2) scaling = stack.scaling;
+  if (!request.query.contains("spacing")) {
+    add_note(volume.note, stack.lengths);
+    if (!stack.spacing)
+      add_note(volume.note, "its spacing is not known, and taken as 1: ?spacing=x,y,z says it");
+  }
+  const LinearMap scaling = are_scaled(first.type) ? stack.scaling : LinearMap();
   if (scaling != LinearMap())
     add_note(volume.note, fmt::format("values are {} times the stored ones plus {}, by ImageJ's calibration",
                                       scaling.slope, scaling.intercept));
@@ -97,7 +102,8 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
   VoxelStore store(first.type, part.point_count(), map);
   std::vector<std::byte> bytes(first.bytes());
   Rounding lost;
-  fs::path opened = stack.pages.front().file;
+  std::unique_ptr<PageFile> file;
+  fs::path opened;
   for (std::uint64_t k = 0; k < part.dims().z; ++k) {
     const Page& page = stack.pages[part.first.z + k * part.stride.z];
     if (page.file != opened) file = open_pages(page.file);
@@ -113,6 +119,44 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
   return volume;
 }
 
+/// How the pages of an image file follow each other; those of all but TIFF are slices.
+PlaneOrder order_of(const std::string& name, const fs::path& file, std::size_t pages) {
+  return order_planes(name, is_tiff(file) ? describe_tiff(file) : TiffDescription(), pages);
+}
+
+std::string left_out_note(std::size_t pages) {
+  if (pages == 0) return "";
+  return fmt::format("{} {} left out: smaller copies of others, or masks", pages,
+                     pages == 1 ? "page" : "pages");
+}
+
+/// What a folder's files say, where all say the same. Throws Error where one value would mean two things.
+void take_common(const std::vector<std::string>& files, const std::vector<PlaneOrder>& orders, Stack& stack) {
+  const PlaneOrder& first = orders.front();
+  const auto other = std::ranges::find_if(
+      orders, [&](const LinearMap& scaling) { return scaling != first.scaling; }, &PlaneOrder::scaling);
+  if (other != orders.end() && are_scaled(stack.format.type))
+    throw Error(fmt::format(
+        "{}: by ImageJ's calibration its values are {} times the stored ones plus {}, and those of {} are {} "
+        "times them plus {}: the images of one volume need the same",
+        files[std::size_t(other - orders.begin())], other->scaling.slope, other->scaling.intercept,
+        files.front(), first.scaling.slope, first.scaling.intercept));
+  stack.scaling = first.scaling;
+  const bool same_lengths = std::ranges::all_of(orders, [&](const PlaneOrder& order) {
+    return order.spacing == first.spacing && order.lengths == first.lengths;
+  });
+  if (same_lengths) stack.spacing = first.spacing;
+  stack.lengths = same_lengths ? first.lengths : "its files tell of different spacings, and none is taken";
+  std::vector<std::string> notes;
+  std::size_t left_out = 0;
+  for (const PlaneOrder& order : orders) {
+    if (std::ranges::find(notes, order.note) == notes.end()) notes.push_back(order.note);
+    left_out += order.left_out;
+  }
+  for (const std::string& note : notes) add_note(stack.note, note);
+  add_note(stack.note, left_out_note(left_out));
+}
+
 }  // namespace
 
 Volume read_image_pages(const FileRequest& request) {
@@ -122,17 +166,17 @@ Volume read_image_pages(const FileRequest& request) {
   const std::size_t count = file->pages();
   if (count < 2)
     throw Error(fmt::format("{}: one image: a volume is a multi-page file, or a folder of images", name));
-  const PlaneOrder order = order_planes(name, describe_tiff(request.path), count);
-  const PageFormat first = file->format(0);
+  const PlaneOrder order = order_of(name, request.path, count);
   Stack stack;
+  stack.format = file->format(order.pages.front());  // pages that are left out may be of another
   std::size_t plane = 0;
   if (order.components == 1) {
-    stack.channel = channel_of(request, first, stack.note);
+    stack.channel = channel_of(request, stack.format, stack.note);
   } else {  // a plane may itself hold several channels
     const std::size_t component = std::size_t(
-        select_one(request, ChoiceKind::component, order.components * first.channels, stack.note));
-    plane = component / first.channels;
-    stack.channel = component % first.channels;
+        select_one(request, ChoiceKind::component, order.components * stack.format.channels, stack.note));
+    plane = component / stack.format.channels;
+    stack.channel = component % stack.format.channels;
   }
   const auto frame = std::size_t(select_one(request, ChoiceKind::frame, order.frames, stack.note));
   for (std::size_t slice = 0; slice < order.slices; ++slice)
@@ -141,8 +185,10 @@ Volume read_image_pages(const FileRequest& request) {
   stack.frames = int(order.frames);  // of which each is a page at least
   stack.frame = int(frame);
   stack.spacing = order.spacing;
+  stack.lengths = order.lengths;
   stack.scaling = order.scaling;
   add_note(stack.note, order.note);
+  add_note(stack.note, left_out_note(order.left_out));
   return read_stack(request, stack);
 }
 
@@ -155,21 +201,19 @@ Volume read_image_folder(const FileRequest& request) {
   if (files.empty()) throw Error(fmt::format("{}: a folder without images", request.name()));
   std::ranges::sort(files, natural_less);
   Stack stack;
+  std::vector<PlaneOrder> orders;
   std::size_t several = 0;
   for (const std::string& file : files) {
-    const std::size_t count = open_pages(file)->pages();
-    if (count == 1) {
-      stack.pages.push_back({file, 0});
-      continue;
-    }
-    const PlaneOrder order = order_planes(file, describe_tiff(file), count);
+    const PlaneOrder& order = orders.emplace_back(order_of(file, file, open_pages(file)->pages()));
     if (order.components * order.frames > 1)
       throw Error(fmt::format("{}: it holds channels or frames: open it alone, not its folder", file));
     several += order.pages.size() > 1;
     for (const std::size_t page : order.pages) stack.pages.push_back({file, page});
-    stack.note = order.note;
   }
-  stack.channel = channel_of(request, open_pages(files.front())->format(0), stack.note);
+  const Page& front = stack.pages.front();
+  stack.format = open_pages(front.file)->format(front.number);
+  take_common(files, orders, stack);
+  stack.channel = channel_of(request, stack.format, stack.note);
   if (several > 0)
     add_note(stack.note,
              fmt::format("{} files with several pages are joined, in the order of their names", several));

@@ -36,12 +36,15 @@ std::size_t imagej_images(const std::string& description);
 struct PlaneOrder {
   std::size_t components = 1, slices = 1, frames = 1;
   std::vector<std::size_t> pages;  ///< [(frame * components + component) * slices + slice]
+  std::size_t left_out = 0;        ///< pages that are smaller copies of others, or masks
   std::optional<glm::dvec3> spacing;
-  LinearMap scaling;  ///< from the stored values, where those are integers of 8 and 16 bits
+  std::string lengths;  ///< a note on the spacing: its unit, and what is not known of it
+  LinearMap scaling;    ///< from the stored values, where those are integers of 8 and 16 bits
   std::string note;
 };
 /// By the description of ImageJ, OME or tifffile; without one all whole pages are slices. Throws Error, which
-/// begins with `name`, for a description that the `pages` contradict.
+/// begins with `name`, for a description that the `pages` contradict, but for a single one: it may be one
+/// of many that the description tells of.
 PlaneOrder order_planes(const std::string& name, const TiffDescription& description, std::size_t pages);
 
 }  // namespace crest

@@ -49,8 +49,7 @@ void take_calibration(const ImageJFields& fields, PlaneOrder& order) {
 
 ImageJFields imagej_fields(const std::string& description) {
   ImageJFields fields;
-  const std::string text = description + "\n";
-  HeaderLines lines(text);
+  HeaderLines lines(description);
   std::string_view line;
   while (lines.next(line)) {
     const std::size_t equals = line.find('=');
@@ -65,6 +64,16 @@ std::size_t count_of(const ImageJFields& fields, const char* key) {
   const auto found = fields.find(key);
   const auto value = found == fields.end() ? std::nullopt : to_integer(found->second);
   return value && *value > 0 && *value < (1 << 24) ? std::size_t(*value) : 1;
+}
+
+void take_imagej_spacing(const ImageJFields& fields, const TiffDescription& description, PlaneOrder& order) {
+  const auto spacing = fields.find("spacing");
+  const auto z = spacing == fields.end() ? std::nullopt : to_number(spacing->second);
+  const double x = description.pixels_per_unit_x, y = description.pixels_per_unit_y;
+  const bool has_unit = fields.contains("unit") && fields.at("unit") != "pixel";
+  if (!z && !has_unit) return;
+  order.spacing = {x > 0 && has_unit ? 1 / x : 1, y > 0 && has_unit ? 1 / y : 1, z ? std::abs(*z) : 1};
+  if (has_unit) order.lengths = fmt::format("lengths in {}", one_line(fields.at("unit")));
 }
 
 PlaneOrder order_imagej(const std::string& name, const TiffDescription& description, std::size_t pages) {
@@ -87,14 +96,7 @@ PlaneOrder order_imagej(const std::string& name, const TiffDescription& descript
     const std::size_t component = page % order.components, slice = page / order.components % order.slices;
     order.pages[place_in(order, component, slice, page / order.components / order.slices)] = page;
   }
-  const auto spacing = fields.find("spacing");
-  const auto z = spacing == fields.end() ? std::nullopt : to_number(spacing->second);
-  const double x = description.pixels_per_unit_x, y = description.pixels_per_unit_y;
-  const bool has_unit = fields.contains("unit") && fields.at("unit") != "pixel";
-  if (z || has_unit) {
-    order.spacing = {x > 0 && has_unit ? 1 / x : 1, y > 0 && has_unit ? 1 / y : 1, z ? std::abs(*z) : 1};
-    if (has_unit) add_note(order.note, fmt::format("lengths in {}", one_line(fields.at("unit"))));
-  }
+  take_imagej_spacing(fields, description, order);
   take_calibration(fields, order);
   take_only_axis_as_slices(order, "channels", "frames");
   return order;
@@ -165,6 +167,8 @@ std::optional<double> micrometres_of(const std::string& unit) {
   return found == units.end() ? std::nullopt : std::optional(found->second);
 }
 
+constexpr const char* unknown_distance = "the slices' distance is not known, and taken as 1";
+
 void take_ome_spacing(pugi::xml_node pixels, PlaneOrder& order) {
   glm::dvec3 spacing;
   std::string others;
@@ -178,8 +182,13 @@ void take_ome_spacing(pugi::xml_node pixels, PlaneOrder& order) {
   }
   if (!(spacing.x > 0 && spacing.y > 0)) return;
   order.spacing = {spacing.x, spacing.y, spacing.z > 0 ? spacing.z : 1};
-  add_note(order.note, others.empty() ? "lengths in micrometres" : fmt::format("lengths in {}", others));
-  if (!(spacing.z > 0)) add_note(order.note, "the slices' distance is not known, and taken as 1");
+  order.lengths = others.empty() ? "lengths in micrometres" : fmt::format("lengths in {}", others);
+  if (!(spacing.z > 0)) add_note(order.lengths, unknown_distance);
+}
+
+/// Channels of a pixel in one plane.
+unsigned samples_of(pugi::xml_node pixels) {
+  return std::max(1u, pixels.child("Channel").attribute("SamplesPerPixel").as_uint(1));
 }
 
 PlaneOrder order_ome(const std::string& name, const std::string& text, std::size_t pages) {
@@ -196,7 +205,7 @@ PlaneOrder order_ome(const std::string& name, const std::string& text, std::size
   for (auto& [letter, size] : sizes.size)
     size = std::clamp<std::size_t>(pixels.attribute(fmt::format("Size{}", letter).c_str()).as_uint(1), 1,
                                    longest);
-  const std::size_t samples = std::max(1u, pixels.child("Channel").attribute("SamplesPerPixel").as_uint(1));
+  const std::size_t samples = samples_of(pixels);
   if (sizes.size['C'] % samples == 0) sizes.size['C'] /= samples;
   PlaneOrder order;
   order.components = sizes.size['C'], order.slices = sizes.size['Z'], order.frames = sizes.size['T'];
@@ -223,9 +232,7 @@ PlaneOrder order_pages(const TiffDescription& description, std::size_t pages) {
     std::iota(order.pages.begin(), order.pages.end(), std::size_t(0));
   }
   order.slices = order.pages.size();
-  if (const std::size_t others = pages - order.slices; others > 0)
-    add_note(order.note,
-             fmt::format("{} pages left out, which are smaller copies of others or masks", others));
+  order.left_out = pages - order.slices;
   return order;
 }
 
@@ -252,15 +259,43 @@ PlaneOrder order_shaped(const std::string& text, std::size_t pages) {
   return order;
 }
 
+bool is_imagej(const std::string& text) { return text.starts_with("ImageJ="); }
+bool is_ome(const std::string& text) { return text.find("<OME") != std::string::npos; }
+
+/// A file of one page is often one of many, whose order its description tells: lengths and values are its
+/// own.
+PlaneOrder order_one(const TiffDescription& description) {
+  PlaneOrder order;
+  order.pages = {0};
+  bool tells_more = false;
+  if (is_imagej(description.text)) {
+    const ImageJFields fields = imagej_fields(description.text);
+    tells_more = count_of(fields, "channels") > 1 || count_of(fields, "frames") > 1;
+    take_imagej_spacing(fields, description, order);
+    if (order.spacing && !fields.contains("spacing")) add_note(order.lengths, unknown_distance);
+    take_calibration(fields, order);
+  } else if (is_ome(description.text)) {
+    pugi::xml_document document;
+    document.load_buffer(description.text.data(), description.text.size());
+    const pugi::xml_node pixels = document.first_element_by_path("OME/Image/Pixels");
+    tells_more =
+        pixels.attribute("SizeC").as_uint(1) > samples_of(pixels) || pixels.attribute("SizeT").as_uint(1) > 1;
+    take_ome_spacing(pixels, order);
+  }
+  if (tells_more) add_note(order.note, "channels and frames that descriptions tell of are not taken apart");
+  return order;
+}
+
 }  // namespace
 
 std::size_t imagej_images(const std::string& description) {
-  return description.starts_with("ImageJ=") ? count_of(imagej_fields(description), "images") : 1;
+  return is_imagej(description) ? count_of(imagej_fields(description), "images") : 1;
 }
 
 PlaneOrder order_planes(const std::string& name, const TiffDescription& description, std::size_t pages) {
-  if (description.text.starts_with("ImageJ=")) return order_imagej(name, description, pages);
-  if (description.text.find("<OME") != std::string::npos) return order_ome(name, description.text, pages);
+  if (pages == 1) return order_one(description);
+  if (is_imagej(description.text)) return order_imagej(name, description, pages);
+  if (is_ome(description.text)) return order_ome(name, description.text, pages);
   if (description.text.starts_with(shaped_mark)) return order_shaped(description.text, pages);
   return order_pages(description, pages);
 }

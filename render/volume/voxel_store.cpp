@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 namespace crest {
 namespace {
@@ -63,6 +64,9 @@ void VoxelStore::put(std::size_t first, std::size_t count, std::span<const std::
 
 Rounding put_slice(VoxelStore& store, const GridPart& part, std::uint64_t k, std::span<const std::byte> bytes,
                    ScalarType type, SampleOf sample, LinearMap map) {
+  const std::uint64_t whole = part.full.x * part.full.y * sample.count * size_of(type);
+  if (sample.index >= sample.count || bytes.size() < whole)
+    throw std::out_of_range("put_slice: a slice without the sample that is asked for");
   const glm::u64vec3 dims = part.dims();
   const bool rounds = may_round(type, map);
   return tbb::parallel_reduce(

@@ -42,7 +42,8 @@ struct SampleOf {
   std::uint64_t count = 1, index = 0;
 };
 /// Puts slice k of a part of a grid, from the bytes of a whole slice of it, x fastest, a point's samples
-/// together. What 32-bit float loses of those that are taken.
+/// together. What 32-bit float loses of those that are taken. Throws std::out_of_range for bytes without
+/// them.
 Rounding put_slice(VoxelStore& store, const GridPart& part, std::uint64_t k, std::span<const std::byte> bytes,
                    ScalarType type, SampleOf sample, LinearMap map);
 

@@ -11,14 +11,15 @@
 namespace crest::test {
 namespace {
 
-/// One page: 4x3 numbers of 16 bits, from `first` on.
+/// One page: 4x3 pixels of 16-bit numbers, from `first` on.
 struct Page {
-  Page(int begin, std::uint32_t which = 0, int columns = 4, std::uint32_t planes = 1)
-      : first(begin), kind(which), width(columns), depth(planes) {}
+  Page(int begin, std::uint32_t which = 0, int columns = 4, std::uint32_t planes = 1, int samples = 1)
+      : first(begin), kind(which), width(columns), depth(planes), channels(samples) {}
   int first;
   std::uint32_t kind;  ///< FILETYPE_REDUCEDIMAGE or FILETYPE_MASK
   int width;
   std::uint32_t depth;
+  int channels;
 };
 
 /// What other programs say of a TIFF file's pages.
@@ -27,19 +28,25 @@ class TiffDescriptions : public FileTest {
   std::string file(const std::string& name, const std::string& description,
                    const std::vector<Page>& pages) const {
     constexpr int height = 3, bits = 16;
+    write(name, "");  // with its folder
     TIFF* const tiff = TIFFOpen(path(name).c_str(), "w");
     for (const Page& page : pages) {
       TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, page.width);
       TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, height);
       TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
-      TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+      TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, page.channels);
       TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, height);
-      TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+      TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, page.channels == 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
       if (page.kind != 0) TIFFSetField(tiff, TIFFTAG_SUBFILETYPE, page.kind);
       if (page.depth > 1) TIFFSetField(tiff, TIFFTAG_IMAGEDEPTH, page.depth);
-      if (!description.empty()) TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
+      if (!description.empty()) {
+        TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
+        TIFFSetField(tiff, TIFFTAG_XRESOLUTION, 2.0);  // pixels a unit
+        TIFFSetField(tiff, TIFFTAG_YRESOLUTION, 4.0);
+      }
       std::vector<std::uint16_t> values;
-      for (int i = 0; i < page.width * height; ++i) values.push_back(std::uint16_t(page.first + i));
+      for (int i = 0; i < page.width * height * page.channels; ++i)
+        values.push_back(std::uint16_t(page.first + i));
       TIFFWriteEncodedStrip(tiff, 0, values.data(), tmsize_t(2 * values.size()));
       TIFFWriteDirectory(tiff);
     }
@@ -122,6 +129,96 @@ TEST_F(TiffDescriptions, SmallerCopiesAndMasksAreLeftOut) {
   EXPECT_EQ(volume.grid.dims, glm::ivec3(4, 3, 2));
   EXPECT_EQ(volume.values[12], 100.f);
   EXPECT_NE(volume.note.find("2 pages left out"), std::string::npos) << volume.note;
+}
+
+// The first page tells nothing of the others where it is none of them.
+TEST_F(TiffDescriptions, ALeftOutFirstPageChoosesNoChannel) {
+  constexpr int colours = 3;
+  const Page small_colour(7, FILETYPE_REDUCEDIMAGE, 2, 1, colours), small_grey(7, FILETYPE_REDUCEDIMAGE, 2);
+  const std::vector<Page> grey = {small_colour, Page(0), Page(100)};
+  const std::vector<Page> colour = {small_grey, Page(0, 0, 4, 1, colours), Page(100, 0, 4, 1, colours)};
+  for (const char* name : {"a.tif", "f/a.tif"}) {
+    SCOPED_TRACE(name);
+    const std::string source = name[0] == 'f' ? path("f") : path(name);
+    file(name, "", grey);
+    EXPECT_EQ(load_volume(source).values[13], 101.f);
+    expect_error(source + "?component=2", {"component=2"});
+    file(name, "", colour);
+    expect_error(source, {"3 components"});
+    const Volume blue = load_volume(source + "?component=2");
+    EXPECT_EQ(blue.grid.dims, glm::ivec3(4, 3, 2));
+    EXPECT_EQ(blue.values[13], 105.f);
+    EXPECT_NE(blue.note.find("1 page left out"), std::string::npos) << blue.note;
+  }
+  const std::string listed =
+      "<OME><Image><Pixels DimensionOrder=\"XYZCT\" SizeX=\"4\" SizeY=\"3\" SizeZ=\"2\" SizeC=\"3\" "
+      "SizeT=\"1\">"
+      "<Channel SamplesPerPixel=\"3\"/><TiffData IFD=\"1\" PlaneCount=\"2\"/></Pixels></Image></OME>";
+  EXPECT_EQ(load_volume(file("o.tif", listed, colour) + "?component=2").values[13], 105.f);
+}
+
+TEST_F(TiffDescriptions, ComponentsOfOtherChannelsAreRefused) {
+  const std::string mixed = file("a.tif", "ImageJ=1.53t\nimages=4\nchannels=2\nslices=2\n",
+                                 {Page(0, 0, 4, 1, 3), Page(100), Page(200, 0, 4, 1, 3), Page(300)});
+  EXPECT_EQ(load_volume(mixed + "?component=2").values[12], 202.f);
+  expect_error(mixed + "?component=5", {"image 2", "1 channels", "3 of"});
+}
+
+TEST_F(TiffDescriptions, AFoldersFilesKeepTheirCalibration) {
+  const std::string scaled = "ImageJ=1.53t\nunit=um\ncf=0\nc0=-32768\nc1=2\n";
+  for (int k = 0; k < 3; ++k) file(fmt::format("f/{}.tif", k), scaled, {Page(100 * k)});
+  const Volume volume = load_volume(path("f"));
+  EXPECT_EQ(volume.values[13], 2 * 101.f - 32768);
+  EXPECT_EQ(volume.grid.spacing, glm::dvec3(0.5, 0.25, 1));
+  EXPECT_NE(volume.note.find("lengths in um; the slices' distance is not known"), std::string::npos)
+      << volume.note;
+  const std::string told = load_volume(path("f") + "?spacing=1,1,3").note;
+  EXPECT_EQ(told.find("lengths"), std::string::npos) << told;
+  file("f/3.tif", "ImageJ=1.53t\nunit=um\ncf=0\nc0=0\nc1=2\n", {Page(300)});
+  expect_error(path("f"), {"3.tif", "calibration", "0.tif", "-32768"});
+  file("f/3.tif", "", {Page(300)});
+  expect_error(path("f"), {"3.tif", "calibration", "0.tif"});
+}
+
+TEST_F(TiffDescriptions, AFoldersFilesOfSeveralPagesKeepTheirSpacing) {
+  const std::string head = "ImageJ=1.53t\nimages=2\nslices=2\nunit=um\nspacing=";
+  for (const char* name : {"f/1.tif", "f/2.tif"}) file(name, head + "3\n", pages(2));
+  const Volume same = load_volume(path("f"));
+  EXPECT_EQ(same.grid.spacing, glm::dvec3(0.5, 0.25, 3));
+  EXPECT_EQ(same.note.find("lengths in um"), same.note.rfind("lengths in um")) << same.note;
+  file("f/2.tif", head + "4\n", pages(2));
+  const Volume other = load_volume(path("f"));
+  EXPECT_EQ(other.grid.spacing, glm::dvec3(1));
+  EXPECT_NE(other.note.find("different spacings"), std::string::npos) << other.note;
+  EXPECT_EQ(other.note.find("lengths in"), std::string::npos) << other.note;
+}
+
+// As one that is left of many files, whose descriptions all tell of the whole.
+TEST_F(TiffDescriptions, AFoldersFileOfOnePageNeedNotHaveAllItTellsOf) {
+  const std::string whole =
+      "<OME><Image><Pixels DimensionOrder=\"XYZCT\" SizeX=\"4\" SizeY=\"3\" SizeZ=\"3\" SizeC=\"1\" "
+      "SizeT=\"2\" PhysicalSizeX=\"2\" PhysicalSizeY=\"2\" PhysicalSizeZ=\"5\"/></Image></OME>";
+  for (int k = 0; k < 3; ++k) file(fmt::format("f/{}.tif", k), whole, {Page(100 * k)});
+  const Volume volume = load_volume(path("f"));
+  EXPECT_EQ(volume.grid.dims.z, 3);
+  EXPECT_EQ(volume.grid.spacing, glm::dvec3(2, 2, 5));
+  EXPECT_NE(volume.note.find("channels and frames"), std::string::npos) << volume.note;
+  const std::string head = "ImageJ=1.53t\nimages=9\nslices=9\n";
+  for (int k = 0; k < 2; ++k) file(fmt::format("g/{}.tif", k), head, {Page(100 * k)});
+  EXPECT_EQ(load_volume(path("g")).values[13], 101.f);
+  for (int k = 0; k < 2; ++k) file(fmt::format("h/{}.tif", k), "<OME><BinaryOnly/></OME>", {Page(100 * k)});
+  EXPECT_EQ(load_volume(path("h")).values[13], 101.f);
+}
+
+TEST_F(TiffDescriptions, AFolderCountsThePagesThatItsFilesLeaveOut) {
+  const Page left_out(900, FILETYPE_MASK);
+  file("f/1.tif", "", {Page(0), left_out, left_out, Page(100)});
+  file("f/2.tif", "", {left_out, Page(200)});
+  file("f/3.tif", "", {Page(300)});
+  const Volume volume = load_volume(path("f"));
+  EXPECT_EQ(volume.grid.dims.z, 4);
+  EXPECT_EQ(volume.values[25], 201.f);
+  EXPECT_NE(volume.note.find("3 pages left out"), std::string::npos) << volume.note;
 }
 
 TEST_F(TiffDescriptions, AFileThatWasCutOffIsRefused) {

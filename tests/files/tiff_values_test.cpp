@@ -260,6 +260,17 @@ TEST_F(TiffValues, AFoldersFilesOfSeveralPagesAreJoined) {
   expect_error(path("f"), {"a3.tif", "3x4"});
 }
 
+// In the processor time that the reader has for so short a file.
+TEST_F(TiffValues, ThousandsOfPagesAreRead) {
+  constexpr int count = 8000;
+  const std::string file = write("many.tif", TiffBytes().file(pages(count)));
+  const Volume all = load_volume(file);
+  ASSERT_EQ(all.grid.dims, glm::ivec3(4, 3, count));
+  for (int k = 0; k < count; ++k) ASSERT_EQ(all.at(1, 2, k), float((20 * k + 9) % 256)) << k;
+  const Volume some = load_volume(file + "?stride=1,1,7");
+  for (int k = 0; k < some.grid.dims.z; ++k) ASSERT_EQ(some.at(1, 2, k), all.at(1, 2, 7 * k)) << k;
+}
+
 TEST_F(TiffValues, DataThatIsShorterThanPromisedIsRefused) {
   const TiffBytes tiff;
   std::vector<std::string> cut = pages(3);

@@ -7,8 +7,10 @@
 #include <initializer_list>
 #include <iterator>
 #include <memory>
+#include <vector>
 
 #include "presets/exchange/png_strip.h"
+#include "tests/files/imagej_head.h"
 #include "tests/fuzz/target_list.h"
 #include "tests/fuzz/volume_file.h"
 
@@ -19,12 +21,14 @@ namespace {
 struct TiffForm {
   int bits = 8, channels = 1, kind = SAMPLEFORMAT_UINT, compression = COMPRESSION_NONE,
       photometric = PHOTOMETRIC_MINISBLACK;
-  bool tiled = false, planes = false;
+  bool tiled = false, planes = false, smaller = false;
   const char* description = nullptr;
 };
 
 void write_page(TIFF* tiff, const TiffForm& form) {
-  constexpr int width = 20, height = 18, tile = 16;
+  constexpr int height = 18, tile = 16;
+  const int width = form.smaller ? 10 : 20;
+  if (form.smaller) TIFFSetField(tiff, TIFFTAG_SUBFILETYPE, FILETYPE_REDUCEDIMAGE);
   TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, width);
   TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, height);
   TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, form.bits);
@@ -52,15 +56,18 @@ void write_page(TIFF* tiff, const TiffForm& form) {
   TIFFWriteDirectory(tiff);
 }
 
-/// A file of some pages of one form.
-std::string tiff_of(const TiffForm& form, int pages) {
+std::string tiff_of(const std::vector<TiffForm>& pages) {
   const std::string path = write_scratch("seed.tif", "");
   {
     const std::unique_ptr<TIFF, decltype(&TIFFClose)> tiff(TIFFOpen(path.c_str(), "w"), TIFFClose);
-    for (int page = 0; page < pages; ++page) write_page(tiff.get(), form);
+    for (const TiffForm& form : pages) write_page(tiff.get(), form);
   }
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+}
+/// A file of some pages of one form.
+std::string tiff_of(const TiffForm& form, std::size_t pages) {
+  return tiff_of(std::vector<TiffForm>(pages, form));
 }
 
 }  // namespace
@@ -78,7 +85,9 @@ std::vector<std::string> tiff_seeds() {
                .kind = SAMPLEFORMAT_INT,
                .description = "ImageJ=1.53t\nimages=4\nchannels=2\nslices=2\nspacing=3\nunit=um\n"},
               4),
-      tiff_of({.description = "ImageJ=1.53t\nimages=3\nslices=3\n"}, 1) + std::string(2 * 20 * 18, 's'),
+      tiff_of({{.channels = 3, .photometric = PHOTOMETRIC_RGB, .smaller = true}, {}, {}}),
+      crest::test::imagej_head(20, 18, std::endian::big, "ImageJ=1.53t\nimages=3\nslices=3\n", 720) +
+          std::string(3 * 2 * 20 * 18, 's'),
       tiff_of(
           {.description = "<?xml version=\"1.0\"?><OME><Image><Pixels DimensionOrder=\"XYZCT\" SizeX=\"20\" "
                           "SizeY=\"18\" "
