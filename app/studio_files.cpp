@@ -161,6 +161,7 @@ void Studio::close_volume() {
   steps_.open("", nullptr);
   matters_.set_volume(nullptr);
   document_.volume_source.clear();
+  views_.renderer().resources().programs.clear();
   say("");
 }
 

@@ -33,6 +33,8 @@ class ProgramCache {
   /// `error` says why.
   void reload();
   const std::string& error() const { return error_; }
+  /// Lets all go, where nothing is drawn any more.
+  void clear() { variants_.clear(); }
 
   std::size_t count() const { return variants_.size(); }
   /// How many programs were compiled, and not read from a file.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # monkey.sh PROGRAM SECONDS [SEED [SCREENSHOT]]: for so long random keys, clicks, drags, turns of the wheel, sizes of the
 # window, volumes and dialogs. It must not crash, must answer within two seconds (answers.cpp says how that is counted), and
-# must not take more and more memory: at most 5 % once its caches are full. What it writes goes into the script's folder: the
+# must not take more and more memory: at most 5 % once it has settled. What it writes goes into the script's folder: the
 # system refuses all else (write_only_in.cpp).
 # The seed chooses what is done; since the window answers at its own pace, a second run is alike, not the same. A failure
 # prints the last 50 actions: lines for a shell, with a window of that size.
@@ -15,7 +15,7 @@ source "$(dirname "$0")/monkey_acts.sh"
 RANDOM=$seed
 actions=$work/actions memory=$work/memory
 slowest_s=2 growth_percent=5 home_every_s=30
-full_at_programs=40 # more than ProgramCache::most_programs: the first of them were let go
+settled_s=300 # since the program began: by then the libraries have what they keep
 
 export HOME=$work/home XDG_CACHE_HOME=$work/cache TMPDIR=$work/tmp PATH=$work/bin:$PATH
 mkdir -p "$HOME" "$TMPDIR" "$work/bin" "$work/saved"
@@ -35,7 +35,7 @@ complain() {
 fail() { complain "$@"; } # of drive.sh's, too
 
 start() {
-  rm -rf "$layout" "$XDG_CACHE_HOME/crest/programs" # these are counted
+  rm -f "$layout"
   "$tools/write_only_in" "$work" "$program" "builtin:sphere?n=32" --preset onion --log-layout "$layout" \
     >>"$work/stderr" 2>&1 &
   pid=$! born=$SECONDS
@@ -78,22 +78,20 @@ check_health() {
   kill -0 $watch 2>/dev/null || has_ended || complain "no answer: $(tail -1 "$work/answers")"
 }
 
-# At rest without a volume, whose caches go with it, what is left is what the program keeps for itself; of that, what is its
-# own, without the files of libraries that it has touched. Beside it how many shader programs were made so far.
+# At rest without a volume, whose shader programs and caches go with it, what is left is what the program keeps for itself; of
+# that, what is its own, without the files of libraries that it has touched.
 note_memory() {
   go_home || return 0
-  awk -v at=$((SECONDS - born)) -v made="$(ls "$XDG_CACHE_HOME/crest/programs" 2>/dev/null | wc -l)" \
-    '/^Rss(Anon|Shmem)/ { own += $2 } END { if (own) print at, own / 1024, made }' "/proc/$pid/status" \
-    >>"$memory" 2>/dev/null || true
+  awk -v at=$((SECONDS - born)) '/^Rss(Anon|Shmem)/ { own += $2 } END { if (own) print at, own / 1024 }' \
+    "/proc/$pid/status" >>"$memory" 2>/dev/null || true
 }
 
-# Of the looks since the caches were full - that of shader programs takes longest, on a busy machine more than ten minutes - the
-# mean of the first half against that of the second.
+# The mean of the first half of the looks against that of the second. A minute's run says nothing of it.
 judge_memory() {
   local verdict
-  verdict=$(awk -v full=$full_at_programs -v most=$growth_percent '
-    $3 >= full { looks[n++] = $2 }
-    END { if (n < 6) { print "good memory: the caches were not full for long enough to judge it"; exit }
+  verdict=$(awk -v settled=$settled_s -v most=$growth_percent '
+    $1 >= settled { looks[n++] = $2 }
+    END { if (n < 6) { print "good memory: it did not run for long enough to judge it"; exit }
           for (i = 0; i < n; ++i) i < n / 2 ? early += looks[i] : late += looks[i]
           early /= int((n + 1) / 2); late /= int(n / 2); growth = 100 * (late / early - 1)
           printf "%s memory: %.0f MB at first, %.0f MB later, in the mean of %d looks each: %+.1f %%\n",
