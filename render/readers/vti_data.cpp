@@ -134,14 +134,14 @@ class BlockArray : public ByteStream {
         throw Error(fmt::format("{}: the array's compressed data is damaged", array_.name));
   }
   void read(std::uint64_t first, std::span<std::byte> out) override {
-    while (!out.empty()) {
-      go_to(first / block_bytes_);
-      const std::uint64_t from = first % block_bytes_,
-                          count = std::min<std::uint64_t>(block_.size() - from, out.size());
-      std::ranges::copy(std::span(block_).subspan(from, count), out.begin());
-      out = out.subspan(count);
-      first += count;
+    for (std::size_t done = 0; done < out.size();) {
+      go_to((first + done) / block_bytes_);
+      const std::size_t from = (first + done) % block_bytes_,
+                        count = std::min(block_.size() - from, out.size() - done);
+      std::ranges::copy(std::span(block_).subspan(from, count), out.begin() + std::ptrdiff_t(done));
+      done += count;
     }
+    to_machine_order(array_, out);  // a value may lie across two blocks
   }
 
  private:
@@ -157,7 +157,6 @@ class BlockArray : public ByteStream {
     if (result != Z_OK || got != block_.size())
       throw Error(fmt::format("{}: the array's compressed data is damaged in block {} of {}", array_.name,
                               block + 1, packed_.size()));
-    to_machine_order(array_, block_);
     next_ = block + 1;
   }
 
