@@ -103,9 +103,7 @@ void check_planes(const fs::path& file, const gdcm::DataSet& set) {
 /// Of so many frames that are not compressed; nothing where they cannot be counted.
 std::optional<std::uint64_t> promised_bytes(const DicomImage& image, std::uint64_t samples,
                                             std::size_t frames) {
-  std::optional<std::uint64_t> bits = image.bits;
-  for (const std::uint64_t factor : {image.rows, image.columns, samples, std::uint64_t(frames)})
-    bits = bits ? checked_product(*bits, factor) : bits;
+  const auto bits = checked_product({image.bits, image.rows, image.columns, samples, std::uint64_t(frames)});
   return bits ? std::optional(*bits / 8 + (*bits % 8 > 0)) : bits;
 }
 

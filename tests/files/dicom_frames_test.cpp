@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "files.h"
@@ -86,6 +87,24 @@ TEST_F(DicomFrames, EachHasItsPlaceAndScale) {
         for (int i = 0; i < 4; ++i)
           EXPECT_EQ(volume.at(i, j, place[f]), float((f + 1) * (100 * f + 4 * j + i) - 7 * f));
   }
+}
+
+TEST_F(DicomFrames, ThoseOfTwoFilesMayTakeTurns) {
+  for (int file = 0; file < 2; ++file) {
+    std::vector<FrameSays> frames;
+    for (int f = 0; f < 3; ++f)
+      frames.push_back({fmt::format("10\\20\\{}", 2 * f + file), "", "1", fmt::format("{}", 1000 * file)});
+    write(fmt::format("series/{}.dcm", file), enhanced(frames, "1\\0\\0\\0\\1\\0"));
+  }
+  Reading reading;
+  std::vector<double> shares;
+  reading.progress = [&](double share) { shares.push_back(share); };
+  const Volume volume = load_volume(path("series"), reading);
+  ASSERT_EQ(volume.grid.dims.z, 6);
+  for (int k = 0; k < 6; ++k) EXPECT_EQ(volume.at(1, 2, k), float(100 * (k / 2) + 1000 * (k % 2) + 9));
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  const Volume part = load_volume(path("series") + "?crop=:,:,1:5");
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(part.at(1, 2, k), volume.at(1, 2, k + 1));
 }
 
 TEST_F(DicomFrames, TimesOfAPlaceAreTakenApart) {
