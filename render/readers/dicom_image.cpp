@@ -189,10 +189,6 @@ std::vector<DicomImage> frames_of(const gdcm::DataSet& set, const DicomImage& co
 
 }  // namespace
 
-bool shares_colours(const DicomImage& image) {
-  return image.photometric.ends_with("_422") && image.samples == 3;
-}
-
 std::vector<DicomImage> read_dicom_images(const fs::path& file) {
   constexpr std::size_t most_frames = std::size_t(1) << 20;
   const DicomStructure structure = read_dicom_structure(file);

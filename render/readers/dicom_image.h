@@ -42,7 +42,9 @@ struct DicomImage {
 };
 
 /// Whether two neighbouring pixels have a luma each, and share their two colour differences.
-bool shares_colours(const DicomImage& image);
+inline bool shares_colours(const DicomImage& image) {
+  return image.photometric.ends_with("_422") && image.samples == 3;
+}
 
 /// The images of a file; none where it holds none. Throws Error for what is damaged, and for
 /// pixels that are not compressed and fewer than promised.
