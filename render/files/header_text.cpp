@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <optional>
 #include <sstream>
 
@@ -19,6 +20,14 @@ bool HeaderLines::next(std::string_view& line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   position_ = std::min(end + 1, text_.size());
   return true;
+}
+
+std::string read_head(const std::filesystem::path& path, std::size_t size) {
+  std::string head(size, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), std::streamsize(size));
+  head.resize(std::size_t(file.gcount()));
+  return head;
 }
 
 std::string_view trim(std::string_view text) {

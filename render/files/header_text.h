@@ -25,6 +25,9 @@ class HeaderLines {
 /// Headers longer than this are refused: they are not headers.
 inline constexpr std::size_t longest_header = std::size_t(1) << 20;
 
+/// The first bytes of a file, at most `size`.
+std::string read_head(const std::filesystem::path& path, std::size_t size);
+
 std::string_view trim(std::string_view text);
 std::string lower(std::string_view text);
 std::vector<std::string> words(std::string_view text);

@@ -46,7 +46,7 @@ constexpr Reader readers[] = {
     {{"NIfTI", ".nii .nii.gz .hdr .hdr.gz .img .img.gz",
       "versions 1 and 2, one file or a pair, Analyze 7.5; slope and intercept are applied"},
      read_form<FileForm::nifti>},
-    {{"MRC", ".mrc .map .rec .ccp4 .mrc.gz .map.gz",
+    {{"MRC", ".mrc .map .rec .ccp4 .mrc.gz .map.gz .rec.gz .ccp4.gz",
       "electron microscopy; modes 0, 1, 2, 6, 12 and 16; axes put in order; stacks of volumes (?frame=)"},
      read_form<FileForm::mrc>},
     {{"VTK", ".vtk", "legacy structured points, binary or ASCII; ?array=NAME for one of several"},

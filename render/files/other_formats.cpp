@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <string_view>
 
@@ -42,10 +41,7 @@ constexpr OtherVtk vtk_kinds[] = {
 
 /// A file that a ParaView collection names, from its first megabyte.
 std::optional<fs::path> first_in_collection(const fs::path& path) {
-  std::string head(longest_header, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), std::streamsize(head.size()));
-  head.resize(std::size_t(file.gcount()));
+  const std::string head = read_head(path, longest_header);
   constexpr std::string_view key = "file=\"";
   const std::size_t at = head.find(key), end = at == head.npos ? at : head.find('"', at + key.size());
   if (end == head.npos) return std::nullopt;

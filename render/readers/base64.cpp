@@ -25,12 +25,11 @@ std::size_t Base64Reader::read(std::span<std::byte> out) {
 /// False where the text ends, or holds what is no such digit.
 bool Base64Reader::next_group() {
   constexpr int digits = 4;
-  std::streambuf& text = *text_.rdbuf();
   while (left_ == 0) {  // padding alone is a group, too
     left_ = 3;
     bits_ = 0;
     for (int taken = 0; taken < digits;) {
-      const int next = text.sbumpc();
+      const int next = text_.sbumpc();
       const char c = char(next);
       if (c == ' ' || (c >= '\t' && c <= '\r')) continue;
       const int value = value_of(c);

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <istream>
 #include <span>
+#include <streambuf>
 
 namespace crest {
 
@@ -11,14 +11,14 @@ namespace crest {
 /// group of its own, since VTK joins several texts.
 class Base64Reader {
  public:
-  explicit Base64Reader(std::istream& text) : text_(text) {}
+  explicit Base64Reader(std::streambuf& text) : text_(text) {}
   /// Fills `out` as far as the text goes, and returns how far.
   std::size_t read(std::span<std::byte> out);
 
  private:
   bool next_group();
 
-  std::istream& text_;
+  std::streambuf& text_;
   std::uint32_t bits_ = 0;  ///< of the last group
   int left_ = 0;            ///< bytes of it
 };

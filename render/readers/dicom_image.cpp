@@ -10,6 +10,7 @@
 #include "render/readers/dicom_elements.h"
 #include "render/readers/dicom_structure.h"
 #include "render/readers/with_gdcm.h"
+#include "render/volume/memory.h"
 
 namespace crest {
 namespace {
@@ -99,15 +100,27 @@ void check_planes(const fs::path& file, const gdcm::DataSet& set) {
         fmt::format("{}: its planar configuration is {}, which may be 0 or 1", file.string(), planes));
 }
 
-/// GDCM would make up the frames that are missing. `bytes`: of pixels that are not compressed.
-void check_length(const fs::path& file, const DicomImage& image, std::size_t frames, std::uint64_t bytes) {
-  const bool halved = image.photometric.ends_with("_422") && image.samples == 3;  // two colours of three
-  const std::uint64_t samples = image.rows * image.columns * (halved ? 2 : image.samples) * frames;
-  const std::uint64_t promised = (samples * image.bits + 7) / 8;
-  if (bytes < promised)
+/// Of so many frames that are not compressed; nothing where they cannot be counted.
+std::optional<std::uint64_t> promised_bytes(const DicomImage& image, std::uint64_t samples,
+                                            std::size_t frames) {
+  const auto bits = checked_product({image.bits, image.rows, image.columns, samples, std::uint64_t(frames)});
+  return bits ? std::optional(*bits / 8 + (*bits % 8 > 0)) : bits;
+}
+
+/// `bytes`: of pixels that are not compressed.
+void check_length(const DicomImage& image, std::size_t frames, std::uint64_t bytes) {
+  const bool shares = shares_colours(image);
+  const auto promised = promised_bytes(image, shares ? 2 : image.samples, frames);
+  if (!promised || bytes < *promised)
     throw Error(fmt::format("{}: it promises {} frame{} of {}x{}, which are {} bytes of pixels, and has {}",
-                            file.string(), frames, frames == 1 ? "" : "s", image.columns, image.rows,
-                            promised, bytes));
+                            image.file.string(), frames, frames == 1 ? "" : "s", image.columns, image.rows,
+                            promised ? fmt::format("{}", *promised) : "more than can be counted", bytes));
+  const auto of_others = promised_bytes(image, image.samples, frames);
+  if (shares && of_others && bytes >= *of_others)  // as some programs write them
+    throw Error(
+        fmt::format("{}: it says {}, of which two pixels share their colours in {} bytes, and has the "
+                    "{} bytes of pixels that do not",
+                    image.file.string(), image.photometric, *promised, bytes));
 }
 
 /// What holds for all of a file's frames.
@@ -189,8 +202,10 @@ std::vector<DicomImage> read_dicom_images(const fs::path& file) {
   const double said = dicom_number(set, Tag(0x0028, 0x0008)).value_or(1);
   const auto count = said >= 1 && said <= double(most_frames) ? std::size_t(said) : 1;
   if (structure.pixels) {
-    check_length(file, common, count, structure.pixels->bytes);
-    common.is_real = structure.pixels->numbers != DicomNumbers::integers;
+    const DicomNumbers numbers = structure.pixels->numbers;
+    common.is_real = numbers != DicomNumbers::integers;
+    if (common.is_real) common.bits = numbers == DicomNumbers::float32 ? 32 : 64;
+    check_length(common, count, structure.pixels->bytes);
   }
   for (const auto& group : dicom_items(set, Tag(0x5200, 0x9229))) take_group(group, common);
   std::vector<DicomImage> images = frames_of(set, common, count);

@@ -41,7 +41,13 @@ struct DicomImage {
   std::vector<DicomMark> marks;
 };
 
-/// The images of a file; none where it holds none. Throws Error for what is damaged.
+/// Whether two neighbouring pixels have a luma each, and share their two colour differences.
+inline bool shares_colours(const DicomImage& image) {
+  return image.photometric.ends_with("_422") && image.samples == 3;
+}
+
+/// The images of a file; none where it holds none. Throws Error for what is damaged, and for
+/// pixels that are not compressed and fewer than promised.
 std::vector<DicomImage> read_dicom_images(const std::filesystem::path& file);
 
 /// The files that a DICOMDIR names, in its order.

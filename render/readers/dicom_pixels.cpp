@@ -96,6 +96,17 @@ class CodedPixels : public DicomPixels {
     return image;
   }
 
+  /// The library may find others in the compressed data than the header says.
+  void require_as_said(const gdcm::PixelFormat& format) const {
+    const unsigned all = 8 * unsigned(size_of(type_)), stored = format.GetBitsStored(),
+                   high_bit = format.GetHighBit();
+    if (type_of(format) == type_ && stored > 0 && stored <= high_bit + 1 && high_bit < all) return;
+    throw Error(
+        fmt::format("{}: its header says pixels of {} bits, and the compressed ones have {} bits that end at "
+                    "bit {}, in {}",
+                    name_, all, stored, high_bit, format.GetBitsAllocated()));
+  }
+
   void decode(const gdcm::Image& image, std::size_t frames) {
     decoded_.resize(frame_bytes_ * frames);
     with_gdcm(name_, [&] {
@@ -103,6 +114,7 @@ class CodedPixels : public DicomPixels {
              image.GetBuffer(reinterpret_cast<char*>(decoded_.data()));
     });
     const gdcm::PixelFormat& format = image.GetPixelFormat();
+    require_as_said(format);
     keep_stored_bits(decoded_, type_, format.GetBitsStored(), format.GetHighBit());
     const std::size_t samples = format.GetSamplesPerPixel();
     if (samples < 2 || image.GetPlanarConfiguration() == 0) return;
@@ -129,8 +141,7 @@ class CodedPixels : public DicomPixels {
 
 std::unique_ptr<DicomPixels> open_dicom_pixels(const DicomImage& image, std::size_t frames) {
   const DicomStructure structure = read_dicom_structure(image.file);
-  const bool is_shared = image.photometric == "YBR_FULL_422";  // of two pixels some samples
-  if (structure.pixels && !is_shared) return open_plain_pixels(image, *structure.pixels, frames);
+  if (structure.pixels) return open_plain_pixels(image, *structure.pixels);
   return std::make_unique<CodedPixels>(image, structure, frames);
 }
 

@@ -25,12 +25,11 @@ class DicomPixels {
   virtual std::span<const std::byte> frame(std::size_t number) = 0;
 };
 
-/// Of a file with so many frames, of which `image` is one. Throws Error when it holds other pixels than that
-/// promises, or in a form that is not read.
+/// Of a file with so many frames, of which `image` is one. Throws Error when they are in a form that is not
+/// read, or, as they are read, when they are others than that promises.
 std::unique_ptr<DicomPixels> open_dicom_pixels(const DicomImage& image, std::size_t frames);
 /// Those that are not compressed, without GDCM, which takes a file's pixels all at once.
-std::unique_ptr<DicomPixels> open_plain_pixels(const DicomImage& image, const DicomPlace& place,
-                                               std::size_t frames);
+std::unique_ptr<DicomPixels> open_plain_pixels(const DicomImage& image, const DicomPlace& place);
 
 /// The stored bits of integers, which end at `high_bit`, as numbers of the type: bits about them may hold an
 /// overlay, and the sign is the highest stored one (PS3.5, 8.1.1).

@@ -1,4 +1,4 @@
-// Pixels that are not compressed (PS3.5, 8.1 and 8.2; Annex D has pictures).
+// Pixels that are not compressed (PS3.5, 8.1 and 8.2; Annex D has pictures; PS3.3, C.7.6.3.1.2).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 #include "presets/error.h"
 #include "render/readers/dicom_pixels.h"
-#include "render/volume/memory.h"
+#include "render/readers/open_file.h"
 
 namespace crest {
 namespace {
@@ -42,23 +42,37 @@ void require_bits(const std::string& name, const DicomImage& image) {
                   name, image.bits, image.bits_stored, image.high_bit));
 }
 
+/// Of pairs of pixels that share colours (Y1 Y2 Cb Cr), the samples of each.
+std::vector<std::byte> spread_colours(std::span<const std::byte> pairs, std::size_t sample_bytes) {
+  constexpr std::size_t order[] = {0, 2, 3, 1, 2, 3};
+  std::vector<std::byte> spread(pairs.size() / 4 * std::size(order));
+  std::byte* out = spread.data();
+  for (std::size_t at = 0; at < pairs.size(); at += 4 * sample_bytes) {
+    for (const std::size_t sample : order) {
+      std::memcpy(out, pairs.data() + at + sample * sample_bytes, sample_bytes);
+      out += sample_bytes;
+    }
+  }
+  return spread;
+}
+
 class PlainPixels : public DicomPixels {
  public:
-  PlainPixels(const DicomImage& image, const DicomPlace& place, std::size_t frames)
+  PlainPixels(const DicomImage& image, const DicomPlace& place)
       : name_(image.file.string()),
         image_(image),
         place_(place),
         type_(type_of(name_, image, place.numbers)),
         is_packed_(image.bits == 1 && place.numbers == DicomNumbers::integers),
         samples_(image.columns * image.rows * image.samples),
-        file_(image.file, std::ios::binary) {
+        stored_(shares_colours(image) ? image.columns * image.rows * 2 : samples_),
+        file_(open_file(image.file)) {
     if (is_integer(type_)) require_bits(name_, image);
-    const auto all = checked_product(samples_, frames);
-    const auto bytes = all && !is_packed_ ? checked_product(*all, size_of(type_)) : all;
-    const std::uint64_t promised = is_packed_ && bytes ? (*bytes + 7) / 8 : bytes.value_or(UINT64_MAX);
-    if (promised > place.bytes)
-      throw Error(fmt::format("{}: the header promises {} bytes of pixels, and the file has {}", name_,
-                              promised, place.bytes));
+    if (shares_colours(image) && (image.columns % 2 != 0 || image.has_planes || is_packed_))
+      throw Error(
+          fmt::format("{}: the DICOM file is damaged: its pixels are {}, of which two share their "
+                      "colours, and its rows are no pairs of them",
+                      name_, image.photometric));
   }
 
   ScalarType type() const override { return type_; }
@@ -71,10 +85,11 @@ class PlainPixels : public DicomPixels {
 
  private:
   void take(std::size_t number) {
-    frame_ = bytes_at(number * samples_ * size_of(type_), samples_ * size_of(type_));
+    frame_ = bytes_at(number * stored_ * size_of(type_), stored_ * size_of(type_));
     if (is_integer(type_))
       keep_stored_bits(frame_, type_, unsigned(image_.bits_stored), unsigned(image_.high_bit));
     if (image_.has_planes) frame_ = joined_planes(frame_, image_.samples, size_of(type_));
+    if (shares_colours(image_)) frame_ = spread_colours(frame_, size_of(type_));
   }
   /// Pixels of one bit, the lowest one first. A frame may begin within a byte.
   void unpack(std::size_t number) {
@@ -88,16 +103,20 @@ class PlainPixels : public DicomPixels {
   }
   /// In the machine's order, which is little-endian.
   std::vector<std::byte> bytes_at(std::uint64_t begin, std::uint64_t count) {
+    if (begin + count > place_.bytes) fail();  // the file is another one by now
     const std::uint64_t word = place_.swapped, first = begin / word * word,
                         last = std::min((begin + count + word - 1) / word * word, place_.bytes);
     std::vector<std::byte> bytes(last - first);
     file_.seekg(std::streamoff(place_.begin + first));
-    if (!file_.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size())))
-      throw Error(fmt::format("{}: its pixels could not be read to their end", name_));
+    if (!file_.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size()))) fail();
     if (word > 1) swap_bytes(bytes, word);
     bytes.erase(bytes.begin(), bytes.begin() + std::ptrdiff_t(begin - first));
     bytes.resize(count);
     return bytes;
+  }
+
+  [[noreturn]] void fail() const {
+    throw Error(fmt::format("{}: its pixels could not be read to their end", name_));
   }
 
   std::string name_;
@@ -106,6 +125,7 @@ class PlainPixels : public DicomPixels {
   ScalarType type_;
   bool is_packed_;
   std::uint64_t samples_;  ///< of a frame
+  std::uint64_t stored_;   ///< those of them that the file has
   std::ifstream file_;
   std::vector<std::byte> frame_;
 };
@@ -143,9 +163,8 @@ std::vector<std::byte> joined_planes(std::span<const std::byte> planes, std::siz
   return joined;
 }
 
-std::unique_ptr<DicomPixels> open_plain_pixels(const DicomImage& image, const DicomPlace& place,
-                                               std::size_t frames) {
-  return std::make_unique<PlainPixels>(image, place, frames);
+std::unique_ptr<DicomPixels> open_plain_pixels(const DicomImage& image, const DicomPlace& place) {
+  return std::make_unique<PlainPixels>(image, place);
 }
 
 }  // namespace crest

@@ -132,6 +132,18 @@ class OpenFile {
   std::unique_ptr<DicomPixels> pixels_;
 };
 
+/// The slices of a part, file by file: frames of two files may take turns.
+std::vector<std::uint64_t> file_by_file(const Images& slices, const GridPart& part) {
+  std::map<fs::path, std::uint64_t> first_of;
+  std::vector<std::uint64_t> order(part.dims().z);
+  const auto file_of = [&](std::uint64_t k) -> const fs::path& {
+    return slices[part.first.z + k * part.stride.z].file;
+  };
+  for (std::uint64_t k = 0; k < order.size(); ++k) first_of.emplace(file_of(order[k] = k), k);
+  std::ranges::stable_sort(order, {}, [&](std::uint64_t k) { return first_of[file_of(k)]; });
+  return order;
+}
+
 /// Whether one type and one map are those of all values.
 bool are_stored_alike(const Images& slices) {
   return std::ranges::all_of(slices, [&](const DicomImage& slice) {
@@ -178,7 +190,8 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   };
   std::optional<VoxelStore> store;
   Rounding lost;
-  for (std::uint64_t k = 0; k < part.dims().z; ++k) {
+  std::uint64_t done = 0;
+  for (const std::uint64_t k : file_by_file(slices, part)) {
     const DicomImage& slice = slices[part.first.z + k * part.stride.z];
     DicomPixels& pixels = file.of(slice, frames_of[slice.file]);
     const auto bytes = pixels.frame(slice.frame);
@@ -191,7 +204,7 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
       throw Error(fmt::format("{}: {}: it holds other pixels than it says", name, slice.file.string()));
     lost = joined(
         lost, put_slice(*store, part, k, bytes, pixels.type(), {slice.samples, component}, map_of(slice)));
-    tell(request.reading.progress, double(k + 1) / double(part.dims().z));
+    tell(request.reading.progress, double(++done) / double(part.dims().z));
   }
   volume.values = store->take();
   add_note(volume.note, rounding_note(lost, volume.file_type, map_of(first)));

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "presets/error.h"
+#include "render/files/header_text.h"
 #include "render/readers/binary_fields.h"
 #include "render/readers/headers.h"
 #include "render/readers/select_one.h"
@@ -74,8 +75,8 @@ bool fits(const BinaryFields& f, std::uint64_t file_bytes) {
   const auto mode = mode_of(f);
   if (!has_sizes(f) || !mode || extended_bytes(f) < 0) return false;
   const glm::ivec3 n = three(f, 0);
-  const auto plane = checked_product(std::uint64_t(n.x) * std::uint64_t(n.y), std::uint64_t(n.z));
-  const auto bytes = plane ? checked_product(*plane, mode->components * size_of(mode->type)) : plane;
+  const auto bytes = checked_product(
+      {std::uint64_t(n.x), std::uint64_t(n.y), std::uint64_t(n.z), mode->components, size_of(mode->type)});
   return bytes && *bytes <= file_bytes &&
          header_size + std::uint64_t(extended_bytes(f)) <= file_bytes - *bytes;
 }
@@ -174,7 +175,6 @@ VoxelHeader read_mrc_header(const fs::path& path) {
   const std::string head = read_head(path, header_size, is_compressed);
   if (head.size() < header_size)
     throw Error(fmt::format("{}: not an MRC file: its header has fewer than 1024 bytes", name));
-  constexpr std::uint64_t greatest_inflation = 1032;
   const std::uint64_t most_bytes = fs::file_size(path) * (is_compressed ? greatest_inflation : 1);
   VoxelHeader header;
   const BinaryFields f = in_byte_order(name, head, most_bytes, header.note);

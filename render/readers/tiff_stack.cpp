@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "presets/error.h"
+#include "render/readers/open_file.h"
 #include "render/readers/tiff_file.h"
 #include "render/volume/convert.h"
 
@@ -14,7 +15,7 @@ namespace {
 class ImageJStack : public PageFile {
  public:
   ImageJStack(const std::filesystem::path& path, std::unique_ptr<PageFile> first, const TiffStack& stack)
-      : path_(path), first_(std::move(first)), stack_(stack), file_(path, std::ios::binary) {}
+      : path_(path), first_(std::move(first)), stack_(stack), file_(open_file(path)) {}
 
   std::size_t pages() override { return stack_.images; }
   PageFormat format(std::size_t) override { return first_->format(0); }

@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "presets/error.h"
+#include "render/files/header_text.h"
 #include "render/readers/inflater.h"
 #include "render/volume/memory.h"
 
@@ -37,7 +37,6 @@ std::uint64_t share_of(const std::string& name, const VoxelData& data, std::uint
 
 void require_room(const std::string& name, const VoxelData& data, std::uint64_t values,
                   std::uint64_t value_size) {
-  constexpr std::uint64_t greatest_inflation = 1032;      // of the deflate format, in bytes out for one in
   constexpr std::uint64_t most = std::uint64_t(1) << 60;  // which leaves room for digits, and to add
   const std::uint64_t share = share_of(name, data, values), files = data.files.size();
   const auto share_bytes = checked_product(share, value_size);
@@ -78,16 +77,9 @@ void require_room(const std::string& name, const VoxelData& data, std::uint64_t 
 }
 
 std::string read_head(const fs::path& path, std::size_t size, bool inflate) {
+  if (!inflate) return read_head(path, size);
   std::string head(size, '\0');
-  std::size_t got = 0;
-  if (inflate) {
-    got = Inflater(path, 0).read(head);
-  } else {
-    std::ifstream file(path, std::ios::binary);
-    file.read(head.data(), std::streamsize(size));
-    got = std::size_t(file.gcount());
-  }
-  head.resize(got);
+  head.resize(Inflater(path, 0).read(head));
   return head;
 }
 

@@ -11,6 +11,9 @@
 
 namespace crest {
 
+/// Of the deflate format, in bytes out for one in.
+inline constexpr std::uint64_t greatest_inflation = 1032;
+
 /// How the voxels are written: as they are, as a zlib or gzip stream, or as text.
 enum class Encoding { raw, deflate, decimal, hexadecimal };
 
@@ -41,7 +44,7 @@ std::uint64_t share_of(const std::string& name, const VoxelData& data, std::uint
 [[noreturn]] void throw_short(const std::string& name, const VoxelData& data, std::uint64_t promised,
                               std::uint64_t held, std::string_view unit);
 
-/// The first bytes of a file, at most `size`; of a gzip stream, inflated, if `inflate`.
-std::string read_head(const std::filesystem::path& path, std::size_t size, bool inflate = false);
+/// As read_head() of header_text.h; of a gzip stream, inflated, if `inflate`.
+std::string read_head(const std::filesystem::path& path, std::size_t size, bool inflate);
 
 }  // namespace crest

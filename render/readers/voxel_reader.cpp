@@ -64,9 +64,9 @@ Volume read_voxels(const FileRequest& request, const VoxelHeader& header, const 
   Volume volume = read_voxels(
       request.reading_also(besides), as_read, keys,
       [&](std::uint64_t first, std::span<std::byte> out) { stream.read(first, out); }, 0);
-  if (stream.finish() && !header.data.more_may_follow)
-    add_note(volume.note, fmt::format("{} goes on behind the voxels that the header tells of",
-                                      header.data.files.back().filename().string()));
+  if (const auto file = stream.finish(); file && !header.data.more_may_follow)
+    add_note(volume.note,
+             fmt::format("{} goes on behind the voxels that the header tells of", file->filename().string()));
   return volume;
 }
 

@@ -202,7 +202,7 @@ VoxelStream::VoxelStream(std::string name, const VoxelData& data, ScalarType typ
 /// Files of text that are passed over are checked too.
 void VoxelStream::open(std::uint64_t file) {
   while (next_ <= file) {
-    if (stream_) stream_->finish();
+    close();
     if (data_.encoding != Encoding::decimal) next_ = file;
     stream_ = open_stream({name_, data_, data_.files[next_], share_ * size_of(type_)}, type_, next_ * share_);
     ++next_;
@@ -221,9 +221,16 @@ void VoxelStream::read(std::uint64_t first, std::span<std::byte> out) {
   }
 }
 
-bool VoxelStream::finish() {
+/// The open file is the one before the next.
+void VoxelStream::close() {
+  if (stream_ && stream_->finish() && !goes_on_) goes_on_ = data_.files[next_ - 1];
+  stream_.reset();
+}
+
+std::optional<fs::path> VoxelStream::finish() {
   if (data_.encoding == Encoding::decimal) open(data_.files.size() - 1);
-  return stream_ && stream_->finish();
+  close();
+  return goes_on_;
 }
 
 }  // namespace crest

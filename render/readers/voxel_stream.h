@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -31,11 +33,12 @@ class VoxelStream {
   /// Error when the files do not hold them, are damaged, or hold text that is no number of the type.
   void read(std::uint64_t first, std::span<std::byte> out);
   /// Checks what was not asked for: of compressed files that were read the checksum, of text all numbers.
-  /// Whether the last file goes on behind its voxels.
-  bool finish();
+  /// Which file goes on behind its voxels, the first of those that were read.
+  std::optional<std::filesystem::path> finish();
 
  private:
   void open(std::uint64_t file);
+  void close();
 
   std::string name_;
   const VoxelData& data_;
@@ -43,6 +46,7 @@ class VoxelStream {
   std::uint64_t share_;     ///< values of each file
   std::uint64_t next_ = 0;  ///< the file after the open one
   std::unique_ptr<ByteStream> stream_;
+  std::optional<std::filesystem::path> goes_on_;
 };
 
 }  // namespace crest

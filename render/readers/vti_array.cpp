@@ -2,10 +2,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
+#include <istream>
 #include <streambuf>
 
 #include "presets/error.h"
+#include "render/readers/reopened_file.h"
 #include "render/readers/text_voxels.h"
 #include "render/readers/vti_file.h"
 #include "render/volume/memory.h"
@@ -16,9 +17,9 @@ namespace {
 using SharedFile = std::shared_ptr<const VtiFile>;
 
 /// An element's text, where it stands. It keeps the file.
-class ElementText : private std::streambuf, public std::istream {
+class ElementText : public std::streambuf {
  public:
-  ElementText(SharedFile file, pugi::xml_node element) : std::istream(this), file_(std::move(file)) {
+  ElementText(SharedFile file, pugi::xml_node element) : file_(std::move(file)) {
     char* text = const_cast<char*>(element.child_value());
     setg(text, text, text + std::string_view(text).size());
   }
@@ -33,7 +34,8 @@ class TextArray : public ByteStream {
   TextArray(const SharedFile& file, pugi::xml_node array, ScalarType type, std::uint64_t values)
       : value_size_(size_of(type)),
         text_(file, array),
-        words_(text_, line_of(*file, array)),
+        stream_(&text_),
+        words_(stream_, line_of(*file, array)),
         numbers_(file->name, words_, type, values) {}
   void read(std::uint64_t first, std::span<std::byte> out) override {
     numbers_.skip(first / value_size_ - numbers_.taken());
@@ -45,14 +47,16 @@ class TextArray : public ByteStream {
   }
 
  private:
-  /// Counted in the text as UTF-8, which may be longer than the file's.
+  /// By its place in the text as UTF-8, which may be longer than the file's.
   static std::size_t line_of(const VtiFile& file, pugi::xml_node array) {
-    const auto at = std::clamp<std::ptrdiff_t>(array.first_child().offset_debug(), 0, std::ssize(file.xml));
-    return std::size_t(std::count(file.xml.begin(), file.xml.begin() + at, '\n')) + 1;
+    const auto at = std::size_t(std::max<std::ptrdiff_t>(array.first_child().offset_debug(), 0));
+    const auto behind = std::ranges::upper_bound(file.arrays, at, {}, &VtiLine::begin);
+    return behind == file.arrays.begin() ? 1 : std::prev(behind)->line;
   }
 
   std::size_t value_size_;
   ElementText text_;
+  std::istream stream_;
   WordStream words_;
   NumberReader numbers_;
 };
@@ -62,8 +66,7 @@ std::unique_ptr<ByteStream> open_array(const SharedFile& file, const VtiPiece& p
   const pugi::xml_node array = piece.array;
   const std::string_view format = array.attribute("format").value();
   const glm::u64vec3 dims = dims_of(piece.extent, choice.of_cells);
-  const auto points = checked_product(dims.x * dims.y, dims.z);
-  const auto values = points ? checked_product(*points, choice.components) : points;
+  const auto values = checked_product({dims.x, dims.y, dims.z, choice.components});
   const auto bytes = values ? checked_product(*values, size_of(choice.type)) : values;
   if (!bytes) throw Error(fmt::format("{}: the points of its pieces cannot be counted", file->name));
   if (format == "ascii") return std::make_unique<TextArray>(file, array, choice.type, *values);
@@ -77,9 +80,7 @@ std::unique_ptr<ByteStream> open_array(const SharedFile& file, const VtiPiece& p
                             file->name));
   const std::uint64_t begin = *file->appended + std::uint64_t(*offset);
   if (!file->appended_is_base64) return with(raw_vti_bytes(file->path, begin));
-  auto text = std::make_unique<std::ifstream>(file->path, std::ios::binary);
-  text->seekg(std::streamoff(begin));
-  return with(base64_vti_bytes(std::move(text)));
+  return with(base64_vti_bytes(std::make_unique<ReopenedFile>(file->path, begin)));
 }
 
 }  // namespace
@@ -87,11 +88,10 @@ std::unique_ptr<ByteStream> open_array(const SharedFile& file, const VtiPiece& p
 std::unique_ptr<ByteStream> open_vti_grid(const SharedFile& file, const std::vector<VtiPiece>& pieces,
                                           const VtiChoice& choice) {
   if (pieces.size() == 1) return open_array(file, pieces[0], choice);
-  std::vector<VtiExtent> extents;
-  for (const VtiPiece& piece : pieces) extents.push_back(piece.extent);
-  const VtiExtent whole = joined(extents);
+  const VtiExtent whole = joined(pieces);
   std::vector<VtiPart> parts;
   for (const VtiPiece& piece : pieces) {
+    open_array(file, piece, choice);  // what it lacks is said before others are read
     const glm::u64vec3 dims = dims_of(piece.extent, choice.of_cells);
     parts.push_back({place_of(piece.extent, whole), dims, [file, piece, choice, dims] {
                        return VtiSource{open_array(file, piece, choice), dims, glm::u64vec3(0)};

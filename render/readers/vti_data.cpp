@@ -6,11 +6,12 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <fstream>
+#include <numeric>
 
 #include "presets/error.h"
 #include "render/readers/base64.h"
 #include "render/readers/binary_fields.h"
+#include "render/readers/reopened_file.h"
 #include "render/volume/convert.h"
 
 namespace crest {
@@ -18,31 +19,20 @@ namespace {
 
 class RawBytes : public VtiBytes {
  public:
-  RawBytes(const std::filesystem::path& path, std::uint64_t offset)
-      : left_(std::filesystem::file_size(path)), file_(path, std::ios::binary) {
-    skip(offset);
-  }
+  RawBytes(const std::filesystem::path& path, std::uint64_t offset) : file_(path, offset) {}
   std::size_t read(std::span<std::byte> out) override {
-    file_.read(reinterpret_cast<char*>(out.data()),
-               std::streamsize(std::min<std::uint64_t>(out.size(), left_)));
-    left_ -= std::uint64_t(file_.gcount());
-    return std::size_t(file_.gcount());
+    return std::size_t(file_.sgetn(reinterpret_cast<char*>(out.data()), std::streamsize(out.size())));
   }
-  void skip(std::uint64_t count) override {
-    const std::uint64_t over = std::min(count, left_);
-    if (over == 0) return;  // or what is buffered would be read again
-    file_.seekg(std::streamoff(over), std::ios::cur);
-    left_ -= over;
-  }
+  void skip(std::uint64_t count) override { file_.skip(count); }
+  std::optional<std::uint64_t> left() const override { return file_.left(); }
 
  private:
-  std::uint64_t left_;
-  std::ifstream file_;
+  ReopenedFile file_;
 };
 
 class Base64Bytes : public VtiBytes {
  public:
-  explicit Base64Bytes(std::unique_ptr<std::istream> text) : text_(std::move(text)), reader_(*text_) {}
+  explicit Base64Bytes(std::unique_ptr<std::streambuf> text) : text_(std::move(text)), reader_(*text_) {}
   std::size_t read(std::span<std::byte> out) override { return reader_.read(out); }
   void skip(std::uint64_t count) override {
     std::byte over[4096];
@@ -54,7 +44,7 @@ class Base64Bytes : public VtiBytes {
   }
 
  private:
-  std::unique_ptr<std::istream> text_;
+  std::unique_ptr<std::streambuf> text_;
   Base64Reader reader_;
 };
 
@@ -90,6 +80,12 @@ std::vector<std::uint64_t> take_lengths(const VtiArray& array, std::uint64_t cou
   return lengths;
 }
 
+/// A part of the array may not show that its file is cut.
+void require_left(const VtiArray& array, std::uint64_t bytes, const char* what) {
+  if (const auto left = array.bytes->left(); left && *left < bytes)
+    throw Error(fmt::format("{}: the array ends after {} of {} bytes{}", array.name, *left, bytes, what));
+}
+
 void to_machine_order(const VtiArray& array, std::span<std::byte> bytes) {
   if (array.coding.endian != std::endian::native) swap_bytes(bytes, size_of(array.type));
 }
@@ -99,6 +95,7 @@ class PlainArray : public ByteStream {
   explicit PlainArray(VtiArray array) : array_(std::move(array)) {
     const std::uint64_t held = take_lengths(array_, 1)[0];
     if (held != array_.promised) throw_length(array_, held);
+    require_left(array_, held, "");
   }
   void read(std::uint64_t first, std::span<std::byte> out) override {
     array_.bytes->skip(first - at_);
@@ -132,16 +129,17 @@ class BlockArray : public ByteStream {
     for (const std::uint64_t length : packed_)
       if (length > compressBound(std::min(block_bytes_, promised)))
         throw Error(fmt::format("{}: the array's compressed data is damaged", array_.name));
+    require_left(array_, std::reduce(packed_.begin(), packed_.end()), " of its blocks");
   }
   void read(std::uint64_t first, std::span<std::byte> out) override {
-    while (!out.empty()) {
-      go_to(first / block_bytes_);
-      const std::uint64_t from = first % block_bytes_,
-                          count = std::min<std::uint64_t>(block_.size() - from, out.size());
-      std::ranges::copy(std::span(block_).subspan(from, count), out.begin());
-      out = out.subspan(count);
-      first += count;
+    for (std::size_t done = 0; done < out.size();) {
+      go_to((first + done) / block_bytes_);
+      const std::size_t from = (first + done) % block_bytes_,
+                        count = std::min(block_.size() - from, out.size() - done);
+      std::ranges::copy(std::span(block_).subspan(from, count), out.begin() + std::ptrdiff_t(done));
+      done += count;
     }
+    to_machine_order(array_, out);  // a value may lie across two blocks
   }
 
  private:
@@ -157,7 +155,6 @@ class BlockArray : public ByteStream {
     if (result != Z_OK || got != block_.size())
       throw Error(fmt::format("{}: the array's compressed data is damaged in block {} of {}", array_.name,
                               block + 1, packed_.size()));
-    to_machine_order(array_, block_);
     next_ = block + 1;
   }
 
@@ -174,7 +171,7 @@ std::unique_ptr<VtiBytes> raw_vti_bytes(const std::filesystem::path& file, std::
   return std::make_unique<RawBytes>(file, offset);
 }
 
-std::unique_ptr<VtiBytes> base64_vti_bytes(std::unique_ptr<std::istream> text) {
+std::unique_ptr<VtiBytes> base64_vti_bytes(std::unique_ptr<std::streambuf> text) {
   return std::make_unique<Base64Bytes>(std::move(text));
 }
 

@@ -10,6 +10,7 @@
 #include "presets/error.h"
 #include "render/files/header_text.h"
 #include "render/readers/choose_array.h"
+#include "render/readers/open_file.h"
 
 namespace crest {
 namespace {
@@ -18,8 +19,8 @@ namespace fs = std::filesystem;
 
 void read_text(VtiFile& file, std::uint64_t most_bytes) {
   constexpr std::string_view mark = "<AppendedData";
-  constexpr std::size_t block = std::size_t(1) << 20;
-  std::ifstream stream(file.path, std::ios::binary);
+  constexpr std::size_t block = std::size_t(1) << 16, longest_tag = std::size_t(1) << 12;
+  std::ifstream stream = open_file(file.path);
   std::string part(block, '\0');
   std::size_t at = std::string::npos;  // of the mark, whose end may be in a later part
   while (stream.read(part.data(), std::streamsize(block)), stream.gcount() > 0) {
@@ -36,14 +37,40 @@ void read_text(VtiFile& file, std::uint64_t most_bytes) {
     if (at == std::string::npos) continue;
     const std::size_t end = file.xml.find('>', at);
     const std::size_t underscore = end == std::string::npos ? end : file.xml.find('_', end);
+    if (underscore == std::string::npos && file.xml.size() - at > longest_tag)
+      throw Error(
+          fmt::format("{}: its appended data has no begin: \"<AppendedData ...>\" and \"_\"", file.name));
     if (underscore == std::string::npos) continue;
     file.appended_is_base64 = file.xml.substr(at, underscore - at).find("base64") != std::string::npos;
     file.appended = underscore + 1;
     file.xml.resize(at);
     file.xml += "</VTKFile>";
+    file.xml.shrink_to_fit();  // there may be thousands of such files
     break;
   }
   if (file.xml.empty()) throw Error(fmt::format("{}: not a VTK XML file: it is empty", file.name));
+}
+
+std::size_t lines_in(std::string_view text) { return std::size_t(std::ranges::count(text, '\n')); }
+
+/// Found before the text is parsed, which changes it.
+std::vector<VtiLine> lines_of_arrays(std::string_view xml) {
+  std::vector<VtiLine> arrays;
+  std::size_t line = 1, counted = 0;
+  for (std::size_t at = 0; (at = xml.find("<DataArray", at)) != xml.npos;) {
+    at = std::min(xml.find('>', at), xml.size());
+    line += lines_in(xml.substr(counted, at - counted));
+    counted = at;
+    arrays.push_back({at, line});
+  }
+  return arrays;
+}
+
+/// The line of a place in the text, which is read again.
+std::size_t line_at(const VtiFile& file, std::ptrdiff_t place, std::uint64_t most_bytes) {
+  VtiFile again{.path = file.path, .name = file.name, .xml = {}};
+  read_text(again, most_bytes);
+  return lines_in(std::string_view(again.xml).substr(0, std::size_t(std::max<std::ptrdiff_t>(place, 0)))) + 1;
 }
 
 ScalarType type_of(const std::string& name, const std::string& text) {
@@ -105,11 +132,10 @@ std::shared_ptr<const VtiFile> open_vti(const std::string& name, const fs::path&
                                         const std::string& type, std::uint64_t most_bytes) {
   const auto file = std::make_shared<VtiFile>(VtiFile{.path = path, .name = name, .xml = {}});
   read_text(*file, most_bytes);
-  if (const auto parsed = file->document.load_buffer(file->xml.data(), file->xml.size()); !parsed) {
-    const auto end = file->xml.begin() + std::min<std::ptrdiff_t>(parsed.offset, std::ssize(file->xml));
+  file->arrays = lines_of_arrays(file->xml);
+  if (const auto parsed = file->document.load_buffer_inplace(file->xml.data(), file->xml.size()); !parsed)
     throw Error(fmt::format("{}: its XML is damaged in line {}: {}", name,
-                            std::count(file->xml.begin(), end, '\n') + 1, parsed.description()));
-  }
+                            line_at(*file, parsed.offset, most_bytes), parsed.description()));
   file->image = image_of(*file, type);
   file->coding = coding_of(name, file->document.child("VTKFile"));
   return file;
@@ -192,6 +218,12 @@ std::vector<VtiPiece> vti_pieces(const VtiFile& file, const VtiChoice& choice) {
     pieces.push_back({vti_extent(file.name, piece, "Extent", whole), *found});
   }
   return pieces;
+}
+
+VtiExtent joined(const std::vector<VtiPiece>& pieces) {
+  VtiExtent whole = pieces.front().extent;
+  for (const VtiPiece& piece : pieces) whole = joined(whole, piece.extent);
+  return whole;
 }
 
 }  // namespace crest

@@ -14,11 +14,17 @@
 
 namespace crest {
 
+/// Where the values of an array may begin in the text.
+struct VtiLine {
+  std::size_t begin = 0, line = 1;
+};
+
 /// A VTK XML file up to its appended data, which is not read.
 struct VtiFile {
   std::filesystem::path path;
-  std::string name;  ///< begins the errors
-  std::string xml;
+  std::string name;                            ///< begins the errors
+  std::string xml;                             ///< as the parser leaves it, which holds the document in it
+  std::vector<VtiLine> arrays = {};            ///< where their tags end, in the text as it was
   std::optional<std::uint64_t> appended = {};  ///< where that data begins
   bool appended_is_base64 = false;
   pugi::xml_document document = {};
@@ -53,6 +59,8 @@ struct VtiPiece {
   pugi::xml_node array;
 };
 std::vector<VtiPiece> vti_pieces(const VtiFile& file, const VtiChoice& choice);
+/// The least extent that holds all of them. There is one at least.
+VtiExtent joined(const std::vector<VtiPiece>& pieces);
 /// The values of all pieces together: of the extent that holds them.
 std::unique_ptr<ByteStream> open_vti_grid(const std::shared_ptr<const VtiFile>& file,
                                           const std::vector<VtiPiece>& pieces, const VtiChoice& choice);

@@ -8,15 +8,13 @@
 
 namespace crest {
 
-VtiExtent joined(const std::vector<VtiExtent>& pieces) {
-  VtiExtent whole = pieces.front();
-  for (const VtiExtent& piece : pieces) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      whole[2 * axis] = std::min(whole[2 * axis], piece[2 * axis]);
-      whole[2 * axis + 1] = std::max(whole[2 * axis + 1], piece[2 * axis + 1]);
-    }
+VtiExtent joined(const VtiExtent& a, const VtiExtent& b) {
+  VtiExtent both;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    both[2 * axis] = std::min(a[2 * axis], b[2 * axis]);
+    both[2 * axis + 1] = std::max(a[2 * axis + 1], b[2 * axis + 1]);
   }
-  return whole;
+  return both;
 }
 
 glm::u64vec3 dims_of(const VtiExtent& extent, bool of_cells) {

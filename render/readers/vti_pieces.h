@@ -14,8 +14,8 @@ namespace crest {
 /// The extent of a piece, in points counted from anywhere: least and greatest on x, y and z.
 using VtiExtent = std::array<double, 6>;
 
-/// The least extent that holds all of them. There is one at least.
-VtiExtent joined(const std::vector<VtiExtent>& pieces);
+/// The least extent that holds both.
+VtiExtent joined(const VtiExtent& a, const VtiExtent& b);
 /// How many points, or cells.
 glm::u64vec3 dims_of(const VtiExtent& extent, bool of_cells);
 /// Where a piece begins in a grid that holds it.

@@ -84,6 +84,12 @@ std::optional<std::uint64_t> checked_product(std::uint64_t a, std::uint64_t b) {
   return product;
 }
 
+std::optional<std::uint64_t> checked_product(std::initializer_list<std::uint64_t> factors) {
+  std::optional<std::uint64_t> product = 1;
+  for (const std::uint64_t factor : factors) product = product ? checked_product(*product, factor) : product;
+  return product;
+}
+
 std::string byte_text(std::uint64_t bytes) {
   if (bytes < 1000) return fmt::format("{} bytes", bytes);
   double number = double(bytes) / 1000;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/ext/vector_uint3_sized.hpp>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,8 +20,9 @@ std::uint64_t available_memory();
 /// /proc/self/cgroup) names, below `mounted`, and on all above them. The greatest number where there is none.
 std::uint64_t group_memory(const std::filesystem::path& membership, const std::filesystem::path& mounted);
 
-/// a * b, or nothing when it does not fit.
+/// a * b, or of all factors, or nothing when it does not fit.
 std::optional<std::uint64_t> checked_product(std::uint64_t a, std::uint64_t b);
+std::optional<std::uint64_t> checked_product(std::initializer_list<std::uint64_t> factors);
 
 /// What a volume takes while it is read.
 struct MemoryNeed {

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "files.h"
@@ -88,6 +89,24 @@ TEST_F(DicomFrames, EachHasItsPlaceAndScale) {
   }
 }
 
+TEST_F(DicomFrames, ThoseOfTwoFilesMayTakeTurns) {
+  for (int file = 0; file < 2; ++file) {
+    std::vector<FrameSays> frames;
+    for (int f = 0; f < 3; ++f)
+      frames.push_back({fmt::format("10\\20\\{}", 2 * f + file), "", "1", fmt::format("{}", 1000 * file)});
+    write(fmt::format("series/{}.dcm", file), enhanced(frames, "1\\0\\0\\0\\1\\0"));
+  }
+  Reading reading;
+  std::vector<double> shares;
+  reading.progress = [&](double share) { shares.push_back(share); };
+  const Volume volume = load_volume(path("series"), reading);
+  ASSERT_EQ(volume.grid.dims.z, 6);
+  for (int k = 0; k < 6; ++k) EXPECT_EQ(volume.at(1, 2, k), float(100 * (k / 2) + 1000 * (k % 2) + 9));
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  const Volume part = load_volume(path("series") + "?crop=:,:,1:5");
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(part.at(1, 2, k), volume.at(1, 2, k + 1));
+}
+
 TEST_F(DicomFrames, TimesOfAPlaceAreTakenApart) {
   std::vector<FrameSays> frames;
   for (int f = 0; f < 6; ++f) frames.push_back({fmt::format("10\\20\\{}", f / 2), "", "1", "0", 2 - f % 2});
@@ -155,19 +174,26 @@ TEST_F(DicomFrames, MoreThanThereArePixelsOfAreRefused) {
                  {"2 frames of 4x3", "24 bytes", fmt::format("has {}", held)});
 }
 
-TEST_F(DicomFrames, OfFloatingPointAreRead) {
-  for (const ScalarType type : {float32, float64}) {
-    const bool is_double = type == float64;
-    const std::string head = two_frames(1, "MONOCHROME2", is_double ? 64 : 32);
-    std::string pixels;
-    for (int i = 0; i < 24; ++i) append_value(pixels, 0.25 - i, type, std::endian::little);
-    const auto file = [&](const std::string& bytes) {
-      return write("a.dcm", head + element(0x7fe0, is_double ? 9 : 8, is_double ? "OD" : "OF", bytes));
+TEST_F(DicomFrames, TwoPixelsMayShareTheirColours) {
+  std::string pairs, full;
+  for (int i = 0; i < 48; ++i) pairs += char(i);  // luma, luma, and the two differences
+  for (int i = 0; i < 72; ++i) full += char(i);
+  for (const char* photometric : {"YBR_FULL_422", "YBR_PARTIAL_422 "}) {
+    const auto file = [&](int samples, const std::string& pixels, const std::string& more = "") {
+      return write("a.dcm", two_frames(samples, photometric, 8) + as_integers(8) + more +
+                                element(0x7fe0, 0x10, "OB", pixels));
     };
-    const Volume volume = load_volume(file(pixels));
-    EXPECT_EQ(volume.file_type, type);
-    for (int i = 0; i < 24; ++i) EXPECT_EQ(volume.values[std::size_t(i)], 0.25f - float(i));
-    expect_error(file(pixels.substr(0, pixels.size() - 8)), {"2 frames of 4x3", "has"});
+    for (int component = 0; component < 3; ++component) {
+      const Volume volume = load_volume(file(3, pairs) + fmt::format("?component={}", component));
+      ASSERT_EQ(volume.values.size(), 24u);
+      for (int i = 0; i < 24; ++i) {
+        EXPECT_EQ(volume.values[std::size_t(i)], float(i / 2 * 4 + (component > 0 ? 1 + component : i % 2)));
+      }
+    }
+    expect_error(file(3, pairs.substr(0, 46)), {"2 frames of 4x3", "48 bytes", "has 46"});
+    expect_error(file(3, full), {"share their colours in 48 bytes", "the 72 bytes of"});
+    const Volume one = load_volume(file(1, full.substr(0, 24)));  // has no colours to share
+    for (int i = 0; i < 24; ++i) EXPECT_EQ(one.values[std::size_t(i)], float(i));
   }
 }
 

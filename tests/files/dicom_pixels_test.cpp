@@ -143,6 +143,10 @@ TEST_F(DicomPixels, FloatingPointOnesHaveElementsOfTheirOwn) {
   Stored stored{.allocated = 32, .stored = 32, .high = 31};
   stored.pixels = dicom_element(0x7fe0, 8, "OF", numbers(3 * per_frame, float32, endian::little, value));
   expect_values(load_volume(write("f.dcm", file_of(stored))), float32, value);
+  stored.allocated = stored.stored = 16, stored.high = 15;  // it is not asked
+  expect_values(load_volume(write("f.dcm", file_of(stored))), float32, value);
+  stored.pixels = dicom_element(0x7fe0, 8, "OF", numbers(3 * per_frame - 1, float32, endian::little, value));
+  expect_error(write("short.dcm", file_of(stored)), {"3 frames of 5x3", "180 bytes", "has 176"});
   stored.allocated = stored.stored = 64, stored.high = 63;
   stored.pixels = dicom_element(0x7fe0, 9, "OD", numbers(3 * per_frame, float64, endian::little, value));
   expect_values(load_volume(write("d.dcm", file_of(stored))), float64, value);

@@ -119,7 +119,8 @@ TEST_F(Headers, BytesOfAnMrcAreSignedAsItsRangeSays) {
 
 TEST_F(Headers, AnMrcMayBeCompressed) {
   const std::string content = mrc(int16, endian::little).content;
-  EXPECT_EQ(load_volume(write("a.map.gz", gzip(content))).values[7], float(stored_value(int16, 7)));
+  for (const char* name : {"a.map.gz", "a.rec.gz", "a.ccp4.gz"})
+    EXPECT_EQ(load_volume(write(name, gzip(content))).values[7], float(stored_value(int16, 7)));
   const std::string whole = gzip(content), cut = whole.substr(0, whole.size() - 12);
   expect_error(write("b.mrc.gz", cut), {"b.mrc.gz", "ends early"});
   std::string extended = with(content, 92, bytes_of({40}, int32));
@@ -152,6 +153,32 @@ TEST_F(Headers, NiftiVoxelsWithoutAPlaceFollowTheHeaderAndItsFlag) {
   const std::string second = with(nifti2_header(), 168, bytes_of({0}, int64));
   const Volume volume = load_volume(write("b.nii", second + voxel_bytes(int16, endian::little)));
   EXPECT_EQ(volume.values[7], float(stored_value(int16, 7)));
+}
+
+TEST_F(Headers, OfSeveralFilesTheOneThatGoesOnIsNamed) {
+  const std::string head = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 5 4 3\nencoding: ",
+                    list = "\ndata file: LIST\ns0\ns1\ns2\n";
+  const auto note = [&](const std::string& encoding, int longer, const std::string& query, auto file_of) {
+    for (int k = 0; k < 3; ++k) {
+      std::string part = voxels.substr(std::size_t(20 * k), 20);
+      if (k == longer) part += part.substr(0, 3);
+      write(fmt::format("s{}", k), file_of(part));
+    }
+    return load_volume(write("s.nhdr", head + encoding + list) + query).note;
+  };
+  const auto as_text = [](const std::string& part) {
+    std::string text;
+    for (const char c : part) text += fmt::format("{} ", int(static_cast<unsigned char>(c)));
+    return text;
+  };
+  for (int longer = 0; longer < 3; ++longer) {
+    const std::string name = fmt::format("s{} goes on", longer);
+    EXPECT_NE(note("gzip", longer, "", gzip).find(name), std::string::npos) << longer;
+    EXPECT_NE(note("ascii", longer, "", as_text).find(name), std::string::npos) << longer;
+  }
+  EXPECT_EQ(note("gzip", 3, "", gzip).find("goes on"), std::string::npos);
+  EXPECT_NE(note("gzip", 1, "?crop=:,:,0:2", gzip).find("s1 goes on"), std::string::npos);
+  EXPECT_EQ(note("gzip", 2, "?crop=:,:,0:2", gzip).find("goes on"), std::string::npos);  // it is not read
 }
 
 TEST_F(Headers, ANumPyShapeOfPython2IsRead) {

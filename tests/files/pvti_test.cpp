@@ -62,6 +62,35 @@ TEST_F(Pvti, PiecesBecomeTheWholeGrid) {
         EXPECT_EQ(part.at(x, y, z), float(1 + 2 * x + 10 * (y + 1) + 100 * (z + 1)));
 }
 
+TEST_F(Pvti, HundredsOfFilesMayShareALayer) {
+  constexpr int side = 20;  // pieces of 3x3x2 points, which share those at their sides
+  std::string pieces;
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) {
+      const std::string extent = fmt::format("{} {} {} {} 0 1", 2 * i, 2 * i + 2, 2 * j, 2 * j + 2),
+                        file = fmt::format("p{}_{}.vti", i, j);
+      std::string values = std::string("\x24\0\0\0", 4);
+      for (int k = 0; k < 18; ++k)
+        append_value(values, 2 * i + k % 3 + 100 * (2 * j + k / 3 % 3) + 5000 * (k / 9), ScalarType::int16,
+                     std::endian::little);
+      write(file, fmt::format("<VTKFile type=\"ImageData\"><ImageData WholeExtent=\"{0}\"><Piece "
+                              "Extent=\"{0}\"><PointData><DataArray type=\"Int16\" Name=\"d\" "
+                              "format=\"appended\" offset=\"0\"/></PointData></Piece></ImageData>"
+                              "<AppendedData encoding=\"raw\">_",
+                              extent) +
+                      values + "</AppendedData></VTKFile>");
+      pieces += fmt::format("<Piece Extent=\"{}\" Source=\"{}\"/>", extent, file);
+    }
+  }
+  std::string content = whole(pieces);
+  content.replace(content.find("0 4 0 3 0 2"), 11, "0 40 0 40 0 1");
+  const Volume volume = load_volume(write("many.pvti", content));
+  ASSERT_EQ(volume.grid.dims, glm::ivec3(41, 41, 2));
+  for (int z = 0; z < 2; ++z)
+    for (int y = 0; y < 41; ++y)
+      for (int x = 0; x < 41; ++x) ASSERT_EQ(volume.at(x, y, z), float(x + 100 * y + 5000 * z));
+}
+
 TEST_F(Pvti, CellsDoNotOverlap) {
   write("c0.vti", piece_file(0, 1, "Int16", true));
   write("c1.vti", piece_file(1, 4, "Int16", true));

@@ -134,7 +134,7 @@ TEST_F(VtkArrays, XmlInEachOfItsForms) {
   int files = 0;
   for (const bool wide : {false, true}) {
     for (const endian order : {endian::little, endian::big}) {
-      for (const std::size_t block : {0, 100, 120, 1 << 15}) {  // VTK's own is longer than a small array
+      for (const std::size_t block : {0, 7, 100, 120, 1 << 15}) {  // VTK's own is longer than a small array
         const bool packed = block > 0;
         const std::string bytes = voxel_bytes(int16, order);
         const auto [head, data] = packed ? compressed(bytes, block, wide, order)
@@ -160,7 +160,7 @@ TEST_F(VtkArrays, XmlInEachOfItsForms) {
       }
     }
   }
-  EXPECT_EQ(files, 48);
+  EXPECT_EQ(files, 60);
 }
 
 TEST_F(VtkArrays, WhereTheAppendedDataBeginsMayLieAcrossTwoBlocksOfReading) {
@@ -177,6 +177,23 @@ TEST_F(VtkArrays, WhereTheAppendedDataBeginsMayLieAcrossTwoBlocksOfReading) {
   }
 }
 
+TEST_F(VtkArrays, AFileThatIsCutIsRefusedAlsoWhereItsBeginIsAskedFor) {
+  const std::string array = "<DataArray type=\"Int16\" Name=\"d\" format=\"appended\" offset=\"0\"/>",
+                    bytes = voxel_bytes(int16, endian::little);
+  const auto [head, blocks] = compressed(bytes, 40, false, endian::little);
+  const auto cut_by_ten = [&](const std::string& attributes, const std::string& data) {
+    std::string content = vti(attributes, array, "<AppendedData encoding=\"raw\">\n_" + data);
+    content.resize(content.rfind("</VTKFile>") - 10);
+    return write("cut.vti", content) + "?crop=:,:,0:2";
+  };
+  expect_error(cut_by_ten("", length(bytes.size(), false, endian::little) + bytes),
+               {"after 110 of 120 bytes"});
+  expect_error(cut_by_ten("compressor=\"vtkZLibDataCompressor\"", head + blocks),
+               {"of its blocks", fmt::format("after {} of {} bytes", blocks.size() - 10, blocks.size())});
+  const std::string endless = write("e.vti", vti("", array, "<AppendedData " + std::string(300000, ' ')));
+  expect_error(endless, {"appended data has no begin"});
+}
+
 TEST_F(VtkArrays, XmlAsTextAndWhatIsWrongWithIt) {
   const std::string open = "<DataArray type=\"Float32\" Name=\"d\" format=\"ascii\">\n";
   const std::string other =
@@ -186,6 +203,9 @@ TEST_F(VtkArrays, XmlAsTextAndWhatIsWrongWithIt) {
   EXPECT_NE(volume.note.find("array d, one of d, e"), std::string::npos) << volume.note;
   expect_error(write("u.vti", vti("", open + numbers(59, 0) + "</DataArray>")), {"promises 60"});
   expect_error(write("u.vti", vti("", open + "1 2 x</DataArray>")), {"\"x\"", "line 7"});
+  std::string damaged =
+      vti("", open + "1 2 x</DataArray>\r\n&amp;\r\n</Bata>");  // lines as the file has them
+  expect_error(write("u.vti", damaged), {"XML is damaged in line 9"});
   // In Latin-1, whose characters past ASCII are longer in UTF-8, by more than comes behind the numbers.
   std::string latin = vti("", open + "1 2 x</DataArray>");
   latin.replace(

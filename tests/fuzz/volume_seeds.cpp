@@ -222,9 +222,10 @@ std::vector<std::string> dicom_seeds() {
 }
 
 std::vector<std::string> dicom_pixel_seeds() {
-  return {"5 3 1 1 1 0 0 0 3 1 0\nabcdef", "5 3 1 16 12 13 1 0 2 2 0\n" + std::string(60, 'p'),
-          "2 2 3 8 8 7 0 1 2 1 0\n" + std::string(24, 'p'),
-          "2 2 1 32 32 31 0 0 1 1 1\n" + std::string(16, 'p')};
+  return {"5 3 1 1 1 0 0 0 3 1 0 0\nabcdef", "5 3 1 16 12 13 1 0 2 2 0 0\n" + std::string(60, 'p'),
+          "2 2 3 8 8 7 0 1 2 1 0 0\n" + std::string(24, 'p'),
+          "4 2 3 16 12 11 0 0 2 2 0 1\n" + std::string(64, 'p'),
+          "2 2 1 32 32 31 0 0 1 1 1 0\n" + std::string(16, 'p')};
 }
 
 }  // namespace crest::fuzz

@@ -74,8 +74,9 @@ void read_dicom_pixels(std::string_view input) {
   DicomPlace place;
   std::size_t frames = 0;
   int numbers = 0;
+  bool shares_colours = false;
   line >> image.columns >> image.rows >> image.samples >> image.bits >> image.bits_stored >> image.high_bit >>
-      image.is_signed >> image.has_planes >> frames >> place.swapped >> numbers;
+      image.is_signed >> image.has_planes >> frames >> place.swapped >> numbers >> shares_colours;
   const auto is_in = [](std::uint64_t value, std::uint64_t most) { return value >= 1 && value <= most; };
   // What the walk over a file's elements lets through, and sizes that it holds against the pixels.
   if (!line || !is_in(image.columns, 65535) || !is_in(image.rows, 65535) || !is_in(frames, 1 << 20) ||
@@ -86,7 +87,8 @@ void read_dicom_pixels(std::string_view input) {
   place.bytes = pixels.size();
   place.numbers = DicomNumbers(std::clamp(numbers, 0, 2));
   place.swapped = std::max<std::size_t>(place.swapped, 1);
-  const auto opened = open_plain_pixels(image, place, frames);
+  if (shares_colours) image.photometric = "YBR_FULL_422";
+  const auto opened = open_plain_pixels(image, place);
   for (const std::size_t frame : {frames - 1, std::size_t(0)})
     require(
         opened->frame(frame).size() == image.columns * image.rows * image.samples * size_of(opened->type()),
