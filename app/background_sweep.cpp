@@ -79,6 +79,13 @@ void BackgroundSweep::update(const SweepSubject& subject, Clock::time_point now)
   if (is_on_ && is_outdated() && now >= changed_at_ + pause) begin();
 }
 
+void BackgroundSweep::leave() {
+  if (!latest_) return;
+  stop();
+  latest_.reset();
+  begun_.reset();
+}
+
 void BackgroundSweep::rest_until(Clock::time_point time) {
   const std::scoped_lock lock(mutex_);
   rest_until_ = std::max(rest_until_, time);

@@ -58,6 +58,8 @@ class BackgroundSweep {
 
   /// What is in the window now; begins again where it is time to.
   void update(const SweepSubject& subject, Clock::time_point now);
+  /// There is nothing to measure until the next update(); what was to be measured is let go.
+  void leave();
   /// The person is doing something: no frame is begun until then.
   void rest_until(Clock::time_point time);
 

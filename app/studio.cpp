@@ -192,8 +192,9 @@ SweepSubject Studio::choice_subject(glm::ivec2 size) const {
 
 /// Before the panels are drawn, so that they show it.
 void Studio::take_choice() {
-  if (!loaded_.volume || !choice_.has_news()) return;
-  if (const auto chosen = choice_.take(choice_subject({1, 1}))) document_.preset.rendering = *chosen;
+  if (!choice_.has_news()) return;
+  const SweepSubject now = loaded_.volume ? choice_subject({1, 1}) : SweepSubject();
+  if (const auto chosen = choice_.take(now)) document_.preset.rendering = *chosen;
 }
 
 void Studio::update_choice(const StudioRequests& requests) {

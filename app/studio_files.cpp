@@ -160,6 +160,8 @@ void Studio::close_volume() {
   loaded_ = {};
   steps_.open("", nullptr);
   matters_.set_volume(nullptr);
+  sweep_.leave();
+  choice_.stop();
   document_.volume_source.clear();
   views_.renderer().resources().programs.clear();
   say("");

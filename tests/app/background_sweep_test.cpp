@@ -115,6 +115,19 @@ TEST_F(BackgroundSweepTest, MeasuresEveryPointAndRests) {
   EXPECT_FALSE(sweep.has_news(now + 1h));
 }
 
+TEST_F(BackgroundSweepTest, WhatIsLeftIsMeasuredNoMore) {
+  renderer.endless = true;
+  const std::weak_ptr<const Volume> volume = subject.scene.volume;
+  sweep.update(subject, now);
+  sweep.switch_on();
+  ASSERT_TRUE(wait_for([&] { return renderer.references == 1; }));
+  subject.scene.volume.reset();
+  sweep.leave();
+  EXPECT_FALSE(sweep.is_active());
+  EXPECT_TRUE(wait_for([&] { return volume.expired(); })) << "nobody holds the volume";
+  EXPECT_TRUE(sweep.results().is_on) << "of the next one";
+}
+
 TEST_F(BackgroundSweepTest, WhatTheSweepVariesDoesNotBeginItAgain) {
   sweep.update(subject, now);
   sweep.switch_on();
