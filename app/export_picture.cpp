@@ -1,5 +1,7 @@
 #include "app/export_picture.h"
 
+#include <utility>
+
 #include "app/export_preview.h"
 #include "render/gl/texture.h"
 #include "render/scene/export_input.h"
@@ -43,9 +45,9 @@ void ExportPictureMaker::draw(Renderer& renderer) {
 }
 
 void ExportPictureMaker::take() {
-  if (drawing_->here) shown_->here = image_of(*drawing_->here);
-  const ExportPreview preview = compare_export(shown_->here, image_of(drawing_->there));
-  drawing_.reset();
+  const Drawing done = *std::exchange(drawing_, {});  // what fails is not read again
+  if (done.here) shown_->here = image_of(*done.here);
+  const ExportPreview preview = compare_export(shown_->here, image_of(done.there));
   const Exporter& exporter = exporters()[std::size_t(shown_->choice.format)];
   const Image picture = picture_of(preview, exporter.name, shown_->preset.rendering.background);
   upload(texture_, picture);

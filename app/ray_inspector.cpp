@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "presets/choices.h"
 #include "presets/names.h"
@@ -22,7 +23,7 @@ bool RayInspector::is_busy() const {
 
 void RayInspector::want(const Scene& scene, const Camera& camera, const RayAsk& ask) {
   if (wanted_ && wanted_->inspection.ask == ask && wanted_->subject.is(scene, camera)) return;
-  Wanted wanted{{scene, camera}, {ask, {}}, {}, {}};
+  Wanted wanted{{scene, camera}, {ask, {}, {}}, {}, {}};
   if (wanted_ && wanted_->inspection.ask == ask)
     wanted.inspection.modes = std::move(wanted_->inspection.modes);
   wanted_ = std::move(wanted);
@@ -48,7 +49,7 @@ void RayInspector::begin(Renderer& renderer, std::size_t mode) {
 }
 
 void RayInspector::take() {
-  auto& [mode, ray, steps] = *wanted_->tracing;
+  auto [mode, ray, steps] = *std::exchange(wanted_->tracing, {});
   try {
     ray.steps = steps.steps();
   } catch (const std::exception& error) {
@@ -57,7 +58,6 @@ void RayInspector::take() {
   for (TracedStep& step : ray.steps) step.depth += ray.exact.enter;
   ray.crossings = check_crossings(ray.exact, ray.steps);
   wanted_->inspection.modes[mode] = std::move(ray);
-  wanted_->tracing.reset();
 }
 
 void RayInspector::work(Renderer& renderer) {
@@ -67,7 +67,14 @@ void RayInspector::work(Renderer& renderer) {
     const auto old = std::ranges::find(is_current, false);
     if (old == is_current.end()) return;
     *old = true;
-    begin(renderer, std::size_t(old - is_current.begin()));
+    const std::size_t mode = std::size_t(old - is_current.begin());
+    try {
+      begin(renderer, mode);
+    } catch (const std::exception& error) {  // it would fail again, and another scene's ray is none of this
+      wanted_->inspection.modes[mode].reset();
+      wanted_->inspection.errors[mode] = error.what();
+      return;
+    }
   }
   if (wanted_->tracing->steps.is_over()) take();
 }

@@ -120,7 +120,8 @@ void Studio::handle(const StudioRequests& requests) {
   if (requests.library) change_library(*requests.library);
   if (!quit_) return;
   keep_thumbnails();
-  take_left_pictures(true);
+  // For the next start: the last frame, which is not drawn yet, shows what it shows
+  for (const LeftPicture& left : std::exchange(left_pictures_, {})) take_left_picture(left, false);
   autosave_.end();  // saved, or discarded by choice
 }
 

@@ -95,6 +95,12 @@ class Studio {
     std::shared_ptr<const Volume> volume;
   };
 
+  /// What was on view when it was left, on its way to a thumbnail.
+  struct LeftPicture {
+    std::vector<std::string> keys;
+    gl::PendingRead picture;
+  };
+
   void start_loading(const std::string& source);
   void cancel_loading();
   void take_loaded_volume();
@@ -122,7 +128,8 @@ class Studio {
   void close_volume();
   void add_start_pictures(StudioInputs& inputs);
   void keep_thumbnails();
-  void take_left_pictures(bool waits);
+  void take_left_picture(const LeftPicture& left, bool shows);
+  void take_left_pictures();
   bool has_left_picture() const;
   void read_library();
   void follow_rename(const std::filesystem::path& from, const std::filesystem::path& to,
@@ -195,11 +202,6 @@ class Studio {
   RecentFiles recent_;
   ThumbnailStore thumbnails_;
   ThumbnailMaker thumbnail_maker_;
-  /// What was on view when it was left, on its way to a thumbnail.
-  struct LeftPicture {
-    std::vector<std::string> keys;
-    gl::PendingRead picture;
-  };
   std::vector<LeftPicture> left_pictures_;
   PresetFolder own_presets_;
   std::vector<LibraryEntry> library_;

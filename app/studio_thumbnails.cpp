@@ -31,13 +31,11 @@ void Studio::add_start_pictures(StudioInputs& inputs) {
 /// Of the view that the preset itself is about, where it shows what it is to show, or another that does.
 void Studio::keep_thumbnails() {
   if (!loaded_.volume) return;
-  const auto wanted = views_.wanted_versions(), shown = views_.shown_versions();
   const gl::DisplayTexture* kept = nullptr;
   for (int i = 0; i < view_count; ++i) {
-    const std::size_t at = std::size_t(i);
+    if (!views_.shows_what_is_wanted(i)) continue;
     const gl::DisplayTexture* display = views_.display(i);
-    if (!display || wanted[at] != shown[at] || views_.picture(i).coarseness > 1) continue;
-    const ViewContent& content = ui_->views.contents[at];
+    const ViewContent& content = ui_->views.contents[std::size_t(i)];
     if (content.other) continue;
     if (!kept || content.mode == document_.preset.rendering.mode) kept = display;
   }
@@ -51,16 +49,22 @@ void Studio::keep_thumbnails() {
   }
 }
 
-/// Those that the device is through with; when the program ends, all.
-void Studio::take_left_pictures(bool waits) {
+/// One that the device fails to tell is dropped: the picture of an earlier look stays.
+void Studio::take_left_picture(const LeftPicture& left, bool shows) try {
+  const Thumbnail thumbnail = shrunk(left.picture.shown(), left.picture.size());
+  for (const std::string& key : left.keys) {
+    if (shows) thumbnails_.show(key, thumbnail);
+    thumbnail_maker_.keep(key, thumbnail);
+  }
+} catch (const std::exception&) {
+}
+
+/// Those that the device is through with.
+void Studio::take_left_pictures() {
   std::erase_if(left_pictures_, [&](const LeftPicture& left) {
-    if (!waits && !left.picture.is_over()) return false;
-    const Thumbnail thumbnail = shrunk(left.picture.shown(), left.picture.size());
-    for (const std::string& key : left.keys) {
-      thumbnails_.show(key, thumbnail);
-      thumbnail_maker_.keep(key, thumbnail);
-    }
-    return true;
+    const bool is_over = left.picture.is_over();
+    if (is_over) take_left_picture(left, true);
+    return is_over;
   });
 }
 
@@ -71,7 +75,7 @@ bool Studio::has_left_picture() const {
 /// Before the panels are drawn, so that they show them.
 void Studio::take_thumbnails() {
   thumbnails_.begin_frame();
-  take_left_pictures(false);
+  take_left_pictures();
   for (const ThumbnailMaker::Made& made : thumbnail_maker_.take()) thumbnails_.show(made.key, made.thumbnail);
 }
 

@@ -39,6 +39,7 @@ void ThumbnailStore::begin_frame(std::size_t most) {
     const std::uint64_t newest_to_go = std::min(frames[frames.size() - most - 1], frame_ - 1);
     std::erase_if(textures_, [&](const auto& entry) { return entry.second.last_frame <= newest_to_go; });
   }
+  std::erase_if(replaced_, [&](const Held& held) { return held.last_frame < frame_; });
   ++frame_;
 }
 
@@ -53,7 +54,10 @@ std::uintptr_t ThumbnailStore::texture(const std::string& key) {
 }
 
 void ThumbnailStore::show(const std::string& key, const Thumbnail& thumbnail) {
-  textures_.insert_or_assign(key, Held{upload(thumbnail), frame_});
+  Held shown{upload(thumbnail), frame_};
+  Held& held = textures_[key];
+  std::swap(held, shown);
+  if (shown.texture) replaced_.push_back(std::move(shown));
 }
 
 void ThumbnailStore::write(const std::string& key, const Thumbnail& thumbnail) const {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "app/thumbnail.h"
 #include "render/gl/handle.h"
@@ -37,6 +38,7 @@ class ThumbnailStore {
     std::uint64_t last_frame = 0;
   };
   std::map<std::string, Held> textures_;
+  std::vector<Held> replaced_;  ///< which a frame may still name
   std::uint64_t frame_ = 1;
 };
 

@@ -127,6 +127,12 @@ std::string ViewRenderer::error() const {
   return "";
 }
 
+bool ViewRenderer::shows_what_is_wanted(int index) const {
+  const View& view = views_[std::size_t(index)];
+  return view.shown() && view.error.empty() && view.shown_version == view.wanted_version &&
+         view.shown_coarseness == 1;
+}
+
 void ViewRenderer::give_up(View& view, std::string why) {
   view.error = std::move(why);
   view.pass.reset();

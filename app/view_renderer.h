@@ -38,6 +38,9 @@ class ViewRenderer {
   void work(const std::array<ViewRequest, picture_count>& requests, double budget_ms, bool interactive);
   /// Why a view cannot be drawn as it is now requested; empty where all can.
   std::string error() const;
+  /// Whether display() is at full resolution and what was requested last: of a view that cannot be drawn it
+  /// is an earlier picture.
+  bool shows_what_is_wanted(int view) const;
   /// Whether there is anything left to draw.
   bool is_busy() const;
   /// Whether that is no more than to hear from the device what the pictures cost.

@@ -34,6 +34,8 @@ struct DifferencePicture {
   /// Over all pixels, over their backgrounds: the root of the mean square, the greatest of a channel, and the
   /// share of those that differ by more than 1/255.
   double rmse = 0, max = 0, share = 0;
+  bool is_measured = false;  ///< these numbers are of this picture; they come later than it does
+  bool has_failed = false;   ///< they will not come
 };
 
 }  // namespace crest

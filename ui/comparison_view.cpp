@@ -30,14 +30,29 @@ void draw_divided(ImDrawList& list, const Comparison& comparison, std::uintptr_t
   list.AddCircle({x, middle}, grip, IM_COL32_WHITE);
 }
 
-std::string difference_text(const Comparison& comparison, const DifferencePicture& difference) {
-  if (difference.texture == 0) return "The difference, when both are done";
-  const std::string scale =
-      comparison.kind == ComparisonKind::difference
-          ? fmt::format("black: the same, full: {:.3g}", 1 / comparison.amplification)
-          : fmt::format("grey: the same, black and white: -+{:.3g}", 1 / comparison.amplification);
-  return fmt::format("{}\nRMSE {:.2e}, at most {:.3g}, {:.2f} % off by more than 1/255", scale,
-                     difference.rmse, difference.max, 100 * difference.share);
+/// What black and white stand for.
+std::string scale_text(const Comparison& comparison) {
+  return comparison.kind == ComparisonKind::difference
+             ? fmt::format("black: the same, full: {:.3g}", 1 / comparison.amplification)
+             : fmt::format("grey: the same, black and white: -+{:.3g}", 1 / comparison.amplification);
+}
+
+std::string numbers_text(const DifferencePicture& difference) {
+  if (difference.has_failed) return "It could not be measured";
+  if (!difference.is_measured) return "Measuring ...";
+  return fmt::format("RMSE {:.2e}, at most {:.3g}, {:.2f} % off by more than 1/255", difference.rmse,
+                     difference.max, 100 * difference.share);
+}
+
+void draw_difference(ImDrawList& list, StudioState& state, const DifferencePicture& difference,
+                     std::uintptr_t own, ImVec2 low, ImVec2 high) {
+  const bool is_there = difference.texture != 0;
+  list.AddImage(id_of(is_there ? difference.texture : own), low, high);
+  const std::string numbers = is_there ? numbers_text(difference) : "The difference, when both are done";
+  const std::string scale = is_there ? scale_text(*state.views.comparison) + "\n" : "";
+  text_on_picture(list, {low.x + scaled(10), high.y - 2 * ImGui::GetFontSize() - scaled(24)},
+                  scale + numbers);
+  note_item(state.widgets, "difference: " + numbers);
 }
 
 void other_items(int index, StudioState& state, const StudioInputs& inputs, const Preset& preset) {
@@ -174,13 +189,8 @@ bool draw_comparison(StudioState& state, const StudioInputs& inputs, ImVec2 low,
       break;
     case ComparisonKind::difference:
     case ComparisonKind::signed_difference:
-      if (inputs.difference.texture != 0)
-        list.AddImage(id_of(inputs.difference.texture), low, high);
-      else
-        list.AddImage(id_of(own), low, high);
+      draw_difference(list, state, inputs.difference, own, low, high);
       text_on_picture(list, top, fmt::format("{} less {}", other_name, name));
-      text_on_picture(list, {top.x, high.y - 2 * ImGui::GetFontSize() - scaled(24)},
-                      difference_text(comparison, inputs.difference));
       break;
     case ComparisonKind::blink:
       list.AddImage(id_of(shows_other ? other : own), low, high);

@@ -33,6 +33,7 @@ struct InspectedRay {
 struct RayInspection {
   RayAsk ask;
   std::array<std::optional<InspectedRay>, view_count> modes;
+  std::array<std::string, view_count> errors;  ///< why a mode has none; empty while it is to come
 };
 
 /// What is under the mouse in a view.

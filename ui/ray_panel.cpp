@@ -118,7 +118,14 @@ void ray_panel(const Document& document, StudioState& state, const StudioInputs&
   mode_buttons(state);
   const std::size_t index = std::size_t(std::ranges::find(view_modes, state.ray.mode) - view_modes.begin());
   const bool is_there = inputs.ray && inputs.ray->modes[index];
-  if (!is_there) return ImGui::TextDisabled("Solving the ray ...");
+  if (!is_there) {
+    const std::string error = inputs.ray ? inputs.ray->errors[index] : "";
+    const std::string text = error.empty() ? "Solving the ray ..." : "The ray could not be solved: " + error;
+    ImGui::PushTextWrapPos();
+    ImGui::TextDisabled("%s", text.c_str());
+    ImGui::PopTextWrapPos();
+    return note_item(state.widgets, "ray: " + text);
+  }
   const InspectedRay& ray = *inputs.ray->modes[index];
   if (ray.exact.places.empty())
     return ImGui::TextDisabled("This ray misses the volume: click one that meets it.");

@@ -14,6 +14,7 @@ class PendingBuffer {
   /// `buffer`, which what was asked of the device until now writes.
   explicit PendingBuffer(BufferHandle buffer);
 
+  GLuint id() const { return buffer_.id(); }
   bool is_over() const;  ///< does not wait; true also where the driver failed, which reading tells
   /// The first `bytes`. Waits until it is over. Throws Error when the driver fails.
   void copy_to(void* data, std::size_t bytes) const;

@@ -60,10 +60,11 @@ PendingTrace begin_trace(Raycaster& raycaster, Scene scene, const Camera& camera
                          glm::ivec2 pixel) {
   if (is_analytic(scene.rendering.classification)) throw Error("the exact march takes no samples");
   scene.rendering.engine = Engine::raycaster;
+  const bool skips = raycaster.need(scene, camera, size, true).needed.skipping;
   scene.rendering.skipping = false;
   Need need = raycaster.need(scene, camera, size, true);
   if (need.is_empty()) return {};
-  need.needed.skipping |= need.features.bricks;  // of which those do that show: the others add nothing
+  need.needed.skipping = skips;  // which bricks there are: those that the picture is drawn from
   if (need.intervals > most_traced_steps)
     throw Error(fmt::format("up to {} steps along a ray are too many to be told one by one (at most {})",
                             need.intervals, most_traced_steps));

@@ -125,26 +125,17 @@ const std::shared_ptr<const BrickSet>& shown_bricks(KeyedCache& held, const Show
                                                     double longest_step) {
   const auto& volume = shown.scene.volume;
   // Beyond a macrocell, in points: that of filters and differences, and of the sample behind the last one in
-  // it
+  // it. In steps, since the longest one grows with the camera, and what is held would be made anew with it
+  constexpr int least = 3, multiple = 8;
   const glm::ivec3 points = volume->grid.dims;
   const double most = std::max({points.x, points.y, points.z});
-  const int reach = 3 + int(std::ceil(std::min(std::max(longest_step, 1.0), most)));
+  const int longest = int(std::ceil(std::min(std::max(longest_step, 1.0), most)));
+  const int reach = (least + longest + multiple - 1) / multiple * multiple;
   const SharedOccupancy occupied = shown.features.skipping ? occupancy(held, shown) : nullptr;
   return held.get(BricksKey(volume, occupied, reach), brick_count(volume->grid), [&] {
-    BrickSet bricks(brick_count(volume->grid), occupied ? 0 : 1);
-    if (occupied) {
-      const int side = macrocell_side(*volume);
-      const glm::ivec3 dims = macrocell_dims(volume->grid, side);
-      std::size_t index = 0;
-      for (int z = 0; z < dims.z; ++z)
-        for (int y = 0; y < dims.y; ++y)
-          for (int x = 0; x < dims.x; ++x)
-            if (occupied->cells[index++]) {
-              const glm::ivec3 first = side * glm::ivec3(x, y, z);
-              add_bricks(bricks, volume->grid, first - reach, first + side + reach);
-            }
-    }
-    return std::make_shared<const BrickSet>(std::move(bricks));
+    return std::make_shared<const BrickSet>(
+        occupied ? bricks_around(occupied->cells, volume->grid, macrocell_side(*volume), reach)
+                 : BrickSet(brick_count(volume->grid), 1));
   });
 }
 

@@ -61,17 +61,31 @@ struct Leaves {
   std::size_t count() const { return std::size_t(on_axis) * std::size_t(on_axis); }
 };
 
+gl::BufferHandle make_counts(const Leaves& leaves) {
+  const std::vector<std::uint32_t> zeros(leaves.count());
+  return make_buffer(zeros.size() * sizeof zeros[0], zeros.data());
+}
+
 std::vector<std::uint32_t> read_counts(const gl::PendingBuffer& from, const Leaves& leaves) {
   std::vector<std::uint32_t> counts(leaves.count());
   from.copy_to(counts.data(), counts.size() * sizeof counts[0]);
   return counts;
 }
 
-/// Of the longest ray that the box may have, with one to spare for rounding.
-std::uint32_t most_samples(const Scene& scene) {
-  const Grid& grid = scene.volume->grid;
-  const double steps = glm::length(grid.box_size()) / (grid.smallest_spacing() * scene.rendering.step);
-  return std::uint32_t(std::ceil(steps)) + 1;
+/// In one call: the window waits for as long as the driver needs to take them.
+constexpr double most_layers_at_once = 8192;
+
+/// Of the longest ray through a part of the box, with some to spare for rounding at either end.
+std::uint32_t most_samples(const Scene& scene, const Box& part) {
+  if (part.is_empty()) return 0;
+  const double step = scene.volume->grid.smallest_spacing() * scene.rendering.step;
+  const double samples = std::ceil(glm::length(part.max - part.min) / step) + 4;
+  if (samples > most_layers_at_once)
+    throw Error(
+        fmt::format("vdls: up to {:.0f} layers are too many to be drawn at once (at most {:.0f}): "
+                    "rendering.step {} is too small for that",
+                    samples, most_layers_at_once, scene.rendering.step));
+  return std::uint32_t(samples);
 }
 
 }  // namespace
@@ -138,16 +152,23 @@ Box Vdls::visible_part(const Prepared& p) {
   });
 }
 
-gl::PendingBuffer Vdls::set_up(const Prepared& p, const Camera& camera, const gl::RenderTarget& target,
-                               Tile tile) {
-  const Scene& scene = p.scene;
-  const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
-  const LeafCounts counts(leaves.count());
-  gl::BufferHandle buffer = make_buffer(counts.size() * sizeof counts[0], counts.data());
-  layers_.attach(target);
+Box Vdls::shown_part(const Prepared& p) {
+  const Box box = p.box(), part = visible_part(p);
+  return {glm::max(box.min, part.min), glm::min(box.max, part.max)};
+}
+
+void Vdls::draw_into(const gl::RenderTarget& target, Tile tile) {
   glViewport(0, 0, target.size().x, target.size().y);
   glScissor(tile.begin.x, tile.begin.y, tile.end.x - tile.begin.x, tile.end.y - tile.begin.y);
   glBindVertexArray(vertex_array_.id());
+}
+
+void Vdls::set_up(const Prepared& p, const Camera& camera, const gl::RenderTarget& target, Tile tile,
+                  GLuint counts) {
+  const Scene& scene = p.scene;
+  const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
+  layers_.attach(target);
+  draw_into(target, tile);
   const GLuint program = resources_->programs.program("fullscreen.vert", "vdls_setup.frag",
                                                       setup_defines(scene.rendering, target.has_counts()));
   const Grid& grid = p.volume.grid;
@@ -160,11 +181,11 @@ gl::PendingBuffer Vdls::set_up(const Prepared& p, const Camera& camera, const gl
   set(program, "visible_min", glm::vec3((part.min - grid.origin) / grid.smallest_spacing()));
   set(program, "visible_max", glm::vec3((part.max - grid.origin) / grid.smallest_spacing()));
   glBindFramebuffer(GL_FRAMEBUFFER, layers_.setup_framebuffer());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, leaf_counts_binding, buffer.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, leaf_counts_binding, counts);
   glUseProgram(program);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  return gl::PendingBuffer(std::move(buffer));
+  set_up_ = counts;
 }
 
 Proxy Vdls::make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size, const LeafCounts& counts) {
@@ -176,10 +197,7 @@ Proxy Vdls::make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size,
     work_.nodes = screen_quadtree(counts, leaves.on_axis, leaves.side, scene.rendering.vdls.merge_threshold);
     proxy = proxy_of(work_.nodes);
   } else {
-    Box box = p.box();
-    const Box part = visible_part(p);
-    box = {glm::max(box.min, part.min), glm::min(box.max, part.max)};
-    proxy = proxy_of(box, camera, size, int(std::ranges::max(counts)));
+    proxy = proxy_of(shown_part(p), camera, size, int(std::ranges::max(counts)));
   }
   const int per_pass = scene.rendering.vdls.layers_per_pass;
   const auto passes_through = [&](int count) { return (count + per_pass - 1) / per_pass; };
@@ -256,35 +274,44 @@ Vdls::Prepared Vdls::hold(const Scene& scene) {
 gl::PendingBuffer Vdls::begin(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
   const Prepared prepared = hold(scene);
   const gl::DrawState state;
-  return set_up(prepared, camera, target, tile);
+  gl::BufferHandle counts = make_counts(Leaves(target.size(), scene.rendering.vdls.leaves));
+  set_up(prepared, camera, target, tile, counts.id());
+  return gl::PendingBuffer(std::move(counts));
 }
 
-// The layers' textures are all pictures', so that a picture is set up again after others were.
-void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
-                const std::function<LeafCounts(const gl::PendingBuffer& set_up)>& counts) {
-  const Prepared prepared = hold(scene);
-  const gl::DrawState state;
-  const gl::PendingBuffer fresh = set_up(prepared, camera, target, tile);
-  const Proxy proxy = make_proxy(prepared, camera, target.size(), counts(fresh));
-  if (proxy.layers() > 0) draw_layers(prepared, camera, target.size(), proxy);
+void Vdls::finish(const Prepared& p, const Camera& camera, const gl::RenderTarget& target,
+                  const LeafCounts& counts) {
+  set_up_ = 0;  // the layers take its place
+  const Proxy proxy = make_proxy(p, camera, target.size(), counts);
+  if (proxy.layers() > 0) draw_layers(p, camera, target.size(), proxy);
 }
 
 void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile) {
-  const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
-  draw(scene, camera, target, tile,
-       [&](const gl::PendingBuffer& fresh) { return read_counts(fresh, leaves); });
+  draw(scene, camera, target, tile, begin(scene, camera, target, tile));
 }
 
+// The layers' textures are all pictures', so that a picture is set up again after others were. The counts,
+// which are read by then, stay the same.
 void Vdls::draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
                 const gl::PendingBuffer& begun) {
-  const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
-  draw(scene, camera, target, tile, [&](const gl::PendingBuffer&) { return read_counts(begun, leaves); });
+  const Prepared prepared = hold(scene);
+  const LeafCounts counts = read_counts(begun, Leaves(target.size(), scene.rendering.vdls.leaves));
+  const gl::DrawState state;
+  if (set_up_ == begun.id())
+    draw_into(target, tile);
+  else
+    set_up(prepared, camera, target, tile, begun.id());
+  finish(prepared, camera, target, counts);
 }
 
 void Vdls::draw_at_once(const Scene& scene, const Camera& camera, gl::RenderTarget& target) {
+  const Prepared prepared = hold(scene);
   const Leaves leaves(target.size(), scene.rendering.vdls.leaves);
-  draw(scene, camera, target, Tile{{0, 0}, target.size()},
-       [&](const gl::PendingBuffer&) { return LeafCounts(leaves.count(), most_samples(scene)); });
+  const LeafCounts counts(leaves.count(), most_samples(scene, shown_part(prepared)));
+  const gl::DrawState state;
+  const gl::BufferHandle unread = make_counts(leaves);
+  set_up(prepared, camera, target, Tile{{0, 0}, target.size()}, unread.id());
+  finish(prepared, camera, target, counts);
 }
 
 PictureNeed Vdls::need(const Scene& scene, glm::ivec2 size) {

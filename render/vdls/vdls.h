@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,6 +43,7 @@ class Vdls {
   void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
             const gl::PendingBuffer& begun);
   /// A small picture without waiting: each leaf goes through as many layers as the longest ray could have.
+  /// Throws Error also where that is more than 8192.
   void draw_at_once(const Scene& scene, const Camera& camera, gl::RenderTarget& target);
 
   /// What a picture of this size is made from.
@@ -55,13 +55,15 @@ class Vdls {
   Prepared prepare(const Scene& scene);
   Prepared hold(const Scene& scene);  ///< and its volume is on the device
   Box visible_part(const Prepared& p);
+  Box shown_part(const Prepared& p);  ///< of that, what the clip box leaves
   /// Each leaf's greatest sample count.
   using LeafCounts = std::vector<std::uint32_t>;
-  /// Begins the picture; returns the leaves' counts, on their way.
-  gl::PendingBuffer set_up(const Prepared& p, const Camera& camera, const gl::RenderTarget& target,
-                           Tile tile);
-  void draw(const Scene& scene, const Camera& camera, gl::RenderTarget& target, Tile tile,
-            const std::function<LeafCounts(const gl::PendingBuffer& set_up)>& counts);
+  void draw_into(const gl::RenderTarget& target, Tile tile);
+  /// Begins the picture; the leaves' counts go into a buffer of zeros, or of the same.
+  void set_up(const Prepared& p, const Camera& camera, const gl::RenderTarget& target, Tile tile,
+              GLuint counts);
+  void finish(const Prepared& p, const Camera& camera, const gl::RenderTarget& target,
+              const LeafCounts& counts);
   Proxy make_proxy(const Prepared& p, const Camera& camera, glm::ivec2 size, const LeafCounts& counts);
   void bind_volume(const Prepared& p, GLuint program);
   void draw_layers(const Prepared& p, const Camera& camera, glm::ivec2 size, const Proxy& proxy);
@@ -69,6 +71,7 @@ class Vdls {
   std::shared_ptr<Resources> resources_;
   gl::VertexArrayHandle vertex_array_;
   LayerTextures layers_;
+  GLuint set_up_ = 0;  ///< the buffer of the picture that layers_ holds the beginning of; 0 = of none
   VdlsWork work_;
 };
 

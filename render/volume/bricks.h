@@ -22,4 +22,9 @@ std::size_t size_of(const BrickSet& set);
 /// Adds those that hold the points of a box, both ends included, which may reach beyond the grid.
 void add_bricks(BrickSet& set, const Grid& grid, glm::ivec3 first, glm::ivec3 last);
 
+/// The same of many boxes: of the macrocells of `side` cells that are marked with other than 0, x fastest
+/// (macrocell_dims), each with `reach` points beyond it on all sides. O(macrocells + bricks), whatever the
+/// reach.
+BrickSet bricks_around(const std::vector<std::uint8_t>& macrocells, const Grid& grid, int side, int reach);
+
 }  // namespace crest

@@ -60,6 +60,19 @@ TEST_F(RayInspectorTest, TheExactMarchHasNoSteps) {
   EXPECT_NE(rays.inspection()->modes[0]->why_no_steps, "");
 }
 
+TEST_F(RayInspectorTest, WhatCannotBeSolvedIsNotTheRayOfAnEarlierScene) {
+  rays.want(scene, camera, ask);
+  while (rays.is_busy()) rays.work(renderer);
+  camera.target = camera.eye;  // no picture
+  rays.want(scene, camera, ask);
+  for (int i = 0; i < view_count; ++i) rays.work(renderer);
+  EXPECT_FALSE(rays.is_busy()) << "it is not tried again";
+  for (std::size_t i = 0; i < view_count; ++i) {
+    EXPECT_FALSE(rays.inspection()->modes[i]);
+    EXPECT_NE(rays.inspection()->errors[i], "");
+  }
+}
+
 TEST_F(RayInspectorTest, TheTableHasARowForEachPlaceAndStep) {
   rays.want(scene, camera, ask);
   while (rays.is_busy()) rays.work(renderer);

@@ -126,6 +126,19 @@ TEST_F(Store, HoldsNoMoreTexturesThanAFrameNeeds) {
   EXPECT_EQ(shown(store.texture("7")), noise(7)) << "what was used last stays";
 }
 
+TEST_F(Store, APictureThatIsReplacedLivesThroughThisFrameAndTheNext) {
+  ThumbnailStore store({});
+  store.show("a", noise(1));
+  const GLuint old = GLuint(store.texture("a"));
+  store.show("a", noise(2));
+  EXPECT_TRUE(glIsTexture(old));
+  EXPECT_EQ(shown(store.texture("a")), noise(2));
+  store.begin_frame();
+  EXPECT_TRUE(glIsTexture(old));
+  store.begin_frame();
+  EXPECT_FALSE(glIsTexture(old));
+}
+
 TEST_F(Store, APictureIsThereAtTheNextStart) {
   ThumbnailStore first(folder);
   EXPECT_EQ(first.texture("a"), 0U);

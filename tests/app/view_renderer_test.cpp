@@ -90,10 +90,16 @@ TEST_F(Views, TheDifferenceOfTwoPicturesIsDrawnAndMeasured) {
   };
   measure();
   EXPECT_NE(difference.picture().texture, 0u);
+  EXPECT_TRUE(difference.picture().is_measured);
   EXPECT_EQ(difference.picture().max, 0) << "the same picture";
 
   comparison.view = 0;
+  difference.update(views, comparison, false);
+  EXPECT_NE(difference.picture().texture, 0u);
+  EXPECT_FALSE(difference.picture().is_measured) << "the numbers are those of the other pair";
+  EXPECT_FALSE(difference.picture().has_failed);
   measure();
+  EXPECT_TRUE(difference.picture().is_measured);
   const Image a = views.colors(0)->read_color(), b = views.colors(compared_picture)->read_color();
   std::vector<std::uint8_t> drawn(a.pixels.size() * 4);
   glGetTextureImage(GLuint(difference.picture().texture), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(drawn.size()),
@@ -117,6 +123,61 @@ TEST_F(Views, TheDifferenceOfTwoPicturesIsDrawnAndMeasured) {
   finish(1e9, false);
   difference.update(views, comparison);
   EXPECT_EQ(difference.picture().texture, 0u);
+  EXPECT_FALSE(difference.picture().is_measured);
+}
+
+/// The first reading of a buffer fails, as where the device has no room.
+class FailsOnce {
+ public:
+  int reads() const { return reads_; }
+
+ private:
+  int reads_ = 0;
+  testing::Watched<epoxy_glGetNamedBufferSubData, decltype(epoxy_glGetNamedBufferSubData)> read_{
+      [this](GLuint, GLintptr, GLsizeiptr, void*) {
+        if (++reads_ > 1) return;
+        glDisable(GL_DEBUG_OUTPUT);
+        glEnable(GL_INVALID_ENUM);  // an error that the driver has to tell
+        glEnable(GL_DEBUG_OUTPUT);
+      }};
+};
+
+TEST_F(Views, NumbersThatCannotBeReadAreNotReadAgain) {
+  requests[compared_picture] = requests[2];
+  views.keep_colors(true);
+  finish(1e9, false);
+  ViewDifference difference;
+  Comparison comparison{
+      .view = 0, .with = {}, .follows = {}, .kind = ComparisonKind::difference, .amplification = 4};
+  const FailsOnce failing;
+  const auto measure = [&] {
+    do difference.update(views, comparison);
+    while (difference.is_busy());
+  };
+  EXPECT_THROW(measure(), std::exception);
+  EXPECT_FALSE(difference.is_busy());
+  EXPECT_FALSE(difference.picture().is_measured);
+  EXPECT_TRUE(difference.picture().has_failed);
+  measure();
+  EXPECT_EQ(failing.reads(), 1);
+  comparison.view = 1;
+  measure();
+  EXPECT_TRUE(difference.picture().is_measured) << "another pair is";
+  EXPECT_FALSE(difference.picture().has_failed);
+}
+
+TEST_F(Views, AnExportsPictureThatCannotBeReadIsNotReadAgain) {
+  const Preset preset = load_preset("dirac-shell");
+  ExportPictureMaker exported;
+  const FailsOnce failing;
+  const auto draw = [&] {
+    do exported.update(views.renderer(), requests[0].scene.volume, preset, {});
+    while (exported.is_busy());
+  };
+  EXPECT_THROW(draw(), std::exception);
+  draw();
+  EXPECT_EQ(failing.reads(), 1);
+  EXPECT_EQ(exported.picture().texture, 0u);
 }
 
 TEST_F(Views, NothingThatTheWindowShowsIsWaitedFor) {
@@ -213,6 +274,45 @@ std::vector<glm::vec3> shown(const ViewPicture& picture, glm::ivec2 size) {
   return pixels;
 }
 
+// While the person acts the small picture stays, as slices of the one in full are drawn; then all that was
+// drawn of it appears, also where the first slice that is shown begins within a row.
+TEST_F(Views, WhatWasDrawnWhileThePersonActedIsShownAfterwards) {
+  const glm::ivec2 size{4096, 16};
+  ASSERT_LT(next_slice(size, {0, 0}, 8000).end.x, size.x)
+      << "a row of slices, by the first guess of the costs";
+  for (const int slices : {1, 4}) {
+    ViewRenderer fresh;
+    std::array<ViewRequest, picture_count> wanted;
+    wanted[0] = requests[0];
+    wanted[0].size = size;
+    wanted[0].camera.target = {0.4, 0.3, 0.1};
+    wanted[0].camera.eye = {0, 0, 0};  // within the volume: all rays meet it
+    const auto work = [&](bool interactive) { fresh.work(wanted, 1e-3, interactive); };
+    while (fresh.picture(0).texture == 0) work(true);
+    ASSERT_GT(fresh.picture(0).coarseness, 1);
+    {
+      int draws = 0;
+      const testing::Watched<epoxy_glDrawArrays, decltype(epoxy_glDrawArrays)> watched(
+          [&](auto...) { ++draws; });
+      for (int slice = 0; slice < slices; ++slice)
+        for (const int before = draws; draws == before;) work(true);
+    }
+    if (slices == 1) {
+      EXPECT_EQ(fresh.picture(0).progress, 0) << "within the first rows";
+    }
+    const double drawn_before = fresh.picture(0).progress;
+    while (fresh.picture(0).progress <= drawn_before) work(false);
+    const std::size_t pixels = std::size_t(std::lround(fresh.picture(0).progress * size.y) * size.x);
+    gl::RenderTarget target(size, false);
+    fresh.renderer().draw(wanted[0].scene, wanted[0].camera, target);
+    const Image full = target.read_color();
+    const std::vector<glm::vec3> seen = shown(fresh.picture(0), size);
+    for (std::size_t i = 0; i < pixels; ++i)
+      for (int c = 0; c < 3; ++c)
+        ASSERT_NEAR(seen[i][c], full.pixels[i][c], 0.51 / 255) << slices << ' ' << i;
+  }
+}
+
 // Of an exact scene comes first what samples make of it, and at last what the exact march does.
 TEST_F(Views, GoOnToTheExactPicture) {
   for (ViewRequest& request : requests) request.scene.rendering = exact_rendering(request.scene.rendering);
@@ -252,9 +352,14 @@ TEST_F(Views, ShowHowFarAPixelMayBeOff) {
 
 // What cannot be drawn leaves nothing behind that keeps the others from being drawn and timed.
 TEST_F(Views, AViewThatCannotBeDrawnDoesNotStopTheOthers) {
+  EXPECT_GT(finish(5, false), 0);
+  for (int i = 0; i < view_count; ++i) EXPECT_TRUE(views.shows_what_is_wanted(i));
   requests[0].camera.target = requests[0].camera.eye;  // no view
   EXPECT_GT(finish(5, false), 0);
   EXPECT_NE(views.error(), "");
+  EXPECT_TRUE(views.display(0)) << "the earlier picture";
+  EXPECT_FALSE(views.shows_what_is_wanted(0));
+  EXPECT_TRUE(views.shows_what_is_wanted(1));
   for (int i = 1; i < view_count; ++i) EXPECT_GT(views.picture(i).frame_ms, 0);
   requests[0] = requests[1];
   EXPECT_GT(finish(5, false), 0);

@@ -146,6 +146,23 @@ TEST_F(Compare, ASnapshotTakesThePlaceOfAViewThatWasFollowed) {
   EXPECT_EQ(asked().with.other->preset, before);
 }
 
+TEST_F(Compare, NumbersStandUnderTheirOwnPictureAlone) {
+  choose("compare0", "with view2");
+  choose("compare0", "how/difference");
+  key_of(ImGuiKey_Escape);  // the menu
+  frames(2);
+  EXPECT_TRUE(has("difference: The difference, when both are done"));
+  inputs.difference = {200, 0.25, 0.5, 0.125, true, false};
+  frames(2);
+  EXPECT_TRUE(has("difference: RMSE 2.50e-01, at most 0.5, 12.50 % off by more than 1/255"));
+  inputs.difference.is_measured = false;
+  frames(2);
+  EXPECT_TRUE(has("difference: Measuring ..."));
+  inputs.difference.has_failed = true;
+  frames(2);
+  EXPECT_TRUE(has("difference: It could not be measured"));
+}
+
 TEST_F(Compare, BlinkingKeepsTheWindowGoingAndEscapeStopsIt) {
   click("compare1");
   frames(2);

@@ -76,6 +76,18 @@ TEST_F(Ray, TellsWhatWasMissed) {
   inputs.ray = nullptr;
 }
 
+TEST_F(Ray, TellsWhyThereIsNone) {
+  RayInspection inspection;
+  inputs.ray = &inspection;
+  click(center_of("view2"));
+  frames(3);
+  EXPECT_TRUE(has("ray: Solving the ray ..."));
+  inspection.errors[2] = "no room";
+  frames(2);
+  EXPECT_TRUE(has("ray: The ray could not be solved: no room"));
+  inputs.ray = nullptr;
+}
+
 TEST_F(Ray, TheDepthsAreZoomedAndPanned) {
   RayInspection inspection;
   inspection.modes[2] = ray(true);

@@ -7,6 +7,7 @@
 
 #include "presets/error.h"
 #include "presets/names.h"
+#include "tests/gl_waits.h"
 #include "tests/paths.h"
 #include "tests/vdls/fixture.h"
 
@@ -145,6 +146,50 @@ TEST_F(Layers, AreDrawnWithoutWaiting) {
     renderer.draw_at_once(scene, camera, at_once);
     EXPECT_EQ(at_once.read_color().pixels, whole.pixels) << "layers beyond a ray's end add nothing";
   }
+}
+
+/// Counts what is drawn, as long as it lives.
+class Draws {
+ public:
+  int count() const { return count_; }
+
+ private:
+  int count_ = 0;
+  Watched<epoxy_glDrawArrays, decltype(epoxy_glDrawArrays)> draw_{[this](auto...) { ++count_; }};
+};
+
+TEST_F(Layers, AreSetUpAgainOnlyAfterAnotherPicture) {
+  Scene scene = dvr_scene(builtin("gyroid?n=20"), "smooth-haze");
+  scene.rendering.engine = Engine::vdls;
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
+  const Tile tile{{5, 6}, {40, 40}};
+  gl::RenderTarget target({40, 40}, false), other({40, 40}, false);
+  const auto draws_of = [&](bool draws_another) {
+    const gl::PendingBuffer begun = *renderer.begin(scene, camera, target, tile);
+    if (draws_another) renderer.draw(scene, camera, other);
+    const Draws draws;
+    renderer.draw(scene, camera, target, tile, &begun);
+    return draws.count();
+  };
+  const int alone = draws_of(false);
+  EXPECT_EQ(alone, renderer.vdls().last_work().passes);
+  const Image one = target.read_color();
+  EXPECT_EQ(draws_of(true), alone + 1);
+  EXPECT_EQ(target.read_color().pixels, one.pixels);
+  EXPECT_EQ(draws_of(false), alone);
+}
+
+TEST_F(Layers, AtOnceAreNotWithoutEnd) {
+  Scene scene = dvr_scene(builtin("sphere?n=32"), "smooth-haze");
+  scene.rendering.engine = Engine::vdls;
+  const Camera camera = whole_volume_camera(scene.volume->grid, 1);
+  gl::RenderTarget target({8, 8}, false);
+  scene.rendering.step = 0.01;
+  EXPECT_NO_THROW(renderer.draw_at_once(scene, camera, target));
+  const Image at_once = target.read_color();
+  EXPECT_EQ(at_once.pixels, render(scene, camera, {8, 8}, Engine::vdls).pixels);
+  scene.rendering.step = 0.001;
+  EXPECT_THROW(renderer.draw_at_once(scene, camera, target), Error);
 }
 
 // What it does not render, it says.
