@@ -54,6 +54,11 @@ void ViewDifference::update(const ViewRenderer& views, const Comparison& compari
   if (subject == shown_ && !asks) return;
   shown_ = subject;
   picture_.texture = 0;
+  if (asks) {  // what fails from here on is not asked for again
+    asked_ = subject;
+    has_numbers_ = false;
+    measuring_.reset();
+  }
   const gl::Presenter::Side a{*own, glm::vec3(views.background(comparison.view))},
       b{*other, glm::vec3(views.background(compared_picture))};
   if (!presenter_) presenter_.emplace();
@@ -62,9 +67,6 @@ void ViewDifference::update(const ViewRenderer& views, const Comparison& compari
   presenter_->present_difference(a, b, *display_, subject.amplification, subject.with_sign);
   picture_.texture = display_->texture();
   if (!asks) return;
-  asked_ = subject;
-  has_numbers_ = false;
-  measuring_.reset();
   measuring_.emplace(
       Measuring{double(own->size().x) * own->size().y,
                 {presenter_->sum_difference(a, b, one_step_of_8_bits), gl::PendingRead::What::color}});

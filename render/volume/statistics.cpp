@@ -95,8 +95,7 @@ class Pass {
       statistics.histogram = histogram_of(values_, statistics.range, bins);
     } else {
       ValueCounts counts = no_counts(values_);
-      for (const ValueCounts& part : counts_)
-        for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += part[i];
+      for (const ValueCounts& part : counts_) add_to(counts, part);
       crest::summarize(values_, counts, statistics);
       statistics.histogram = histogram_of(values_, counts, statistics.range, bins);
     }
@@ -177,19 +176,16 @@ double largest_gradient(const Grid& grid, const VolumeStatistics& statistics) {
 
 std::vector<std::uint64_t> histogram_of(const Voxels& values, ValueRange range, int bins) {
   if (!values.are_floats()) return histogram_of(values, count_values(values), range, bins);
-  using Counts = std::vector<std::uint64_t>;
   const HistogramBins bin_of(range, bins);
-  tbb::enumerable_thread_specific<Counts> counts(Counts(bin_of.size(), 0));
+  tbb::enumerable_thread_specific<ValueCounts> counts(ValueCounts(bin_of.size(), 0));
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), chunk_size), [&](const auto& part) {
-    Counts& mine = counts.local();
+    ValueCounts& mine = counts.local();
     std::vector<float> room;
     for (const double v : values.part(part.begin(), part.size(), room))
       if (bin_of.has(v)) ++mine[bin_of(v)];
   });
-  Counts total(bin_of.size(), 0);
-  for (const Counts& part : counts) {
-    for (std::size_t i = 0; i < total.size(); ++i) total[i] += part[i];
-  }
+  ValueCounts total(bin_of.size(), 0);
+  for (const ValueCounts& part : counts) add_to(total, part);
   return total;
 }
 

@@ -50,14 +50,17 @@ void add_counts(const Voxels& values, std::size_t first, std::size_t count, Valu
   with_integers(values, [&](const auto& stored) { count_row(stored.data() + first, count, counts.data()); });
 }
 
+void add_to(ValueCounts& whole, const ValueCounts& part) {
+  for (std::size_t i = 0; i < whole.size(); ++i) whole[i] += part[i];
+}
+
 ValueCounts count_values(const Voxels& values) {
   constexpr std::size_t grain = std::size_t(1) << 20;
   tbb::enumerable_thread_specific<ValueCounts> parts([&] { return no_counts(values); });
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), grain),
                     [&](const auto& part) { add_counts(values, part.begin(), part.size(), parts.local()); });
   ValueCounts whole = no_counts(values);
-  for (const ValueCounts& part : parts)
-    for (std::size_t i = 0; i < whole.size(); ++i) whole[i] += part[i];
+  for (const ValueCounts& part : parts) add_to(whole, part);
   return whole;
 }
 

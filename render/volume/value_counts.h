@@ -16,6 +16,8 @@ using ValueCounts = std::vector<std::uint64_t>;
 ValueCounts no_counts(const Voxels& values);
 /// Counts `count` values from `first` on, on this thread.
 void add_counts(const Voxels& values, std::size_t first, std::size_t count, ValueCounts& counts);
+/// Adds those of a part to the whole's: of values, or of bins.
+void add_to(ValueCounts& whole, const ValueCounts& part);
 /// Of all values, on all cores.
 ValueCounts count_values(const Voxels& values);
 
