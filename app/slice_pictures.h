@@ -20,6 +20,8 @@ class SlicePictures {
   void forget() {
     for (Picture& picture : pictures_) picture.scene.reset();
   }
+  /// Lets go of all, where no frame names them.
+  void clear() { pictures_ = {}; }
 
  private:
   struct Picture {

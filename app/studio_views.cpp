@@ -70,7 +70,8 @@ void Studio::update_difference(const StudioRequests& requests, bool interactive)
 }
 
 void Studio::update_slices(const StudioRequests& requests) {
-  if (!requests.slices || !loaded_.volume) return;
+  if (!requests.slices) return slices_.clear();
+  if (!loaded_.volume) return;
   try {
     slices_.update(views_.renderer().resources(), make_scene(loaded_.volume, document_.preset),
                    *requests.slices);

@@ -92,8 +92,11 @@ void ViewRenderer::work(const std::array<ViewRequest, picture_count>& requests, 
                       view.pass->request.scene.volume == view.wanted.scene.volume;
     if (!keep) view.pass.reset();
   }
+  const bool shows_any = std::ranges::any_of(
+      requests, [](const ViewRequest& request) { return request.scene.volume != nullptr; });
   for (View& view : views_) {
     view.last.clear();
+    if (!shows_any) let_go(view);
     if (keeps_colors_ && is_done(view) && !view.full && view.error.empty()) view.shown_stage = preview;
     if (!keeps_colors_ && view.is_counted) view.full.reset();
   }
@@ -119,6 +122,16 @@ void ViewRenderer::work(const std::array<ViewRequest, picture_count>& requests, 
       give_up(*view, error.what());
     }
   }
+}
+
+/// Of all but its number and what is known of its speed.
+void ViewRenderer::let_go(View& view) {
+  View empty;
+  empty.wanted_version = view.wanted_version;
+  empty.ms_per_pixel = view.ms_per_pixel;
+  for (auto* display : {&view.small, &view.display})
+    if (*display) empty.last.push_back(std::move(*display));
+  view = std::move(empty);
 }
 
 std::string ViewRenderer::error() const {

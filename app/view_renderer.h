@@ -26,7 +26,8 @@ struct ViewRequest {
 /// full; where an exact scene takes long, in between by samples that keep its surfaces. A coarse picture that
 /// was begun is finished, so that a view keeps up with a drag; a finer one is dropped when the request
 /// changes. Nothing is drawn again that did not change. Slices are handed to the device without waiting for
-/// them; their times are read later, and only a few are ahead of it.
+/// them; their times are read later, and only a few are ahead of it. Where no view is to show a volume, all
+/// pictures go.
 class ViewRenderer {
  public:
   /// As Renderer.
@@ -126,6 +127,7 @@ class ViewRenderer {
   static bool is_done(const View& view);
   static bool is_same_but_for_bound(ViewRequest a, const ViewRequest& b);
   static void forget_costs(View& view);
+  static void let_go(View& view);
   void take_times();
   double queued_ms() const;
   View* next_view();

@@ -98,4 +98,9 @@ void Renderer::hold(const std::shared_ptr<const Volume>& volume) {
   hold_volume(*resources_, volume);
 }
 
+void Renderer::clear() {
+  resources_->programs.clear();
+  resources_->held.clear();
+}
+
 }  // namespace crest

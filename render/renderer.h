@@ -41,6 +41,8 @@ class Renderer {
   const Classification& classification(const Scene& scene);
   /// Uploads the volume. Throws Error where the driver cannot hold it.
   void hold(const std::shared_ptr<const Volume>& volume);
+  /// Lets go of all that it holds for pictures to come.
+  void clear();
 
   Resources& resources() { return *resources_; }
   Raycaster& raycaster() { return raycaster_; }

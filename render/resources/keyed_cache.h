@@ -78,6 +78,12 @@ class KeyedCache {
     }
   }
 
+  /// Lets all go.
+  void clear() {
+    entries_.clear();
+    bytes_ = 0;
+  }
+
   std::size_t bytes() const { return bytes_; }
   std::size_t count() const { return entries_.size(); }
   int made() const { return made_; }  ///< values in all, since the beginning

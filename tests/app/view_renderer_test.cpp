@@ -70,6 +70,27 @@ TEST_F(Views, AreFinishedHoweverSmallTheBudget) {
   expect_all_done();
 }
 
+TEST_F(Views, NothingOfAVolumeIsHeldOnceNoneIsShown) {
+  const std::weak_ptr<const Volume> volume = requests[0].scene.volume;
+  views.keep_colors(true);
+  finish(1e9, false);
+  ASSERT_GT(views.renderer().resources().held.bytes(), 0u);
+  ASSERT_TRUE(glIsTexture(GLuint(views.picture(0).texture)));
+  const auto shown = GLuint(views.picture(0).texture);
+
+  requests = {};
+  views.work(requests, 1e9, false);
+  EXPECT_TRUE(glIsTexture(shown)) << "the frame that is being drawn may name it";
+  views.work(requests, 1e9, false);
+  EXPECT_FALSE(glIsTexture(shown));
+  views.renderer().clear();
+  EXPECT_EQ(views.renderer().resources().held.bytes(), 0u);
+  EXPECT_EQ(views.renderer().resources().programs.count(), 0u);
+  for (int i = 0; i < view_count; ++i) EXPECT_EQ(views.picture(i).texture, 0u);
+  EXPECT_FALSE(views.is_busy());
+  EXPECT_TRUE(volume.expired());
+}
+
 TEST_F(Views, TheDifferenceOfTwoPicturesIsDrawnAndMeasured) {
   requests[compared_picture] = requests[2];
   requests[compared_picture].scene.rendering.background =
