@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "app/load_with_progress.h"
 #include "app/offscreen_context.h"
 #include "app/output_folder.h"
 #include "app/progress.h"
@@ -11,7 +12,6 @@
 #include "presets/error.h"
 #include "presets/json.h"
 #include "presets/names.h"
-#include "render/files/load.h"
 #include "render/scene/camera.h"
 
 namespace crest {
@@ -23,7 +23,7 @@ constexpr int timed_rounds = 15;
 /// Of VOLUME, if there is one.
 PlacementScene border_scene_of(const SceneOptions& options, double aspect) {
   if (options.volume.empty()) return builtin_border_scene(aspect);
-  const auto volume = std::make_shared<const Volume>(load_volume(options.volume));
+  const auto volume = std::make_shared<const Volume>(load_with_progress(options.volume));
   const Preset preset = options.read_preset(*volume, aspect);
   return border_scene(make_scene(volume, preset), camera_of(preset, volume->grid, aspect));
 }
