@@ -9,8 +9,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto pause = 2s;       ///< since the last input: who pauses may go on at any time
-constexpr auto seldom_is = 20s;  ///< between two times
+constexpr auto pause = 2s;      ///< since the last input: who pauses may go on at any time
+constexpr auto seldom_is = 5s;  ///< between two times
 
 }  // namespace
 

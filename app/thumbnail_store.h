@@ -20,7 +20,7 @@ class ThumbnailStore {
   explicit ThumbnailStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   /// Before a frame. What the last one asked for stays, also where it is more than `most`.
-  void begin_frame(std::size_t most = 64);
+  void begin_frame(std::size_t most = 32);
   std::size_t count() const { return textures_.size(); }
   /// An ImTextureID, row 0 at the top; 0 where there is none. It lives through this frame and the next.
   std::uintptr_t texture(const std::string& key);

@@ -229,7 +229,7 @@ rest() {
     now=$(ticks)
     if [ $((now - before)) -le 5 ]; then quiet=$((quiet + 1)); else quiet=0; fi
     before=$now
-    [ $quiet -lt 4 ] || return 0
+    [ $quiet -lt 8 ] || return 0
   done
 }
 ticks() { awk '{ print $14 + $15 }' "/proc/$pid/stat" 2>/dev/null || echo 0; } # of processor time, hundredths of a second
