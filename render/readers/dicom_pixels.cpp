@@ -1,4 +1,4 @@
-// Compressed pixels, which GDCM decodes.
+// Compressed pixels but run lengths, which GDCM decodes.
 #include "render/readers/dicom_pixels.h"
 
 #include <fmt/core.h>
@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "presets/error.h"
+#include "render/readers/dicom_codestream.h"
+#include "render/readers/open_file.h"
 #include "render/readers/with_gdcm.h"
 
 namespace crest {
@@ -31,13 +33,14 @@ std::optional<ScalarType> type_of(const gdcm::PixelFormat& format) {
 
 class CodedPixels : public DicomPixels {
  public:
-  CodedPixels(const DicomImage& image, const DicomStructure& structure, std::size_t frames)
+  CodedPixels(const DicomImage& image, DicomStructure structure, std::size_t frames)
       : name_(image.file.string()),
         image_(image),
+        structure_(std::move(structure)),
         frames_(frames),
         samples_(image.columns * image.rows * image.samples),
-        is_by_frame_(frames > 1 && structure.fragments == frames),
-        decodes_all_(!is_by_frame_ || structure.is_run_lengths) {
+        is_by_frame_(frames > 1 && structure_.fragments.size() == frames),
+        file_(open_file(image.file)) {
     if (image.high_bit + 1 != image.bits_stored) {
       throw Error(
           fmt::format("{}: its compressed pixels have {} bits that end at bit {}, and those that end at bit "
@@ -50,7 +53,7 @@ class CodedPixels : public DicomPixels {
   std::uint64_t held_bytes() const override {
     constexpr std::uint64_t copies = 4;
     const std::uint64_t frame = copies * samples_ * ((image_.bits + 7) / 8);
-    return decodes_all_ ? frame * frames_ : frame + std::filesystem::file_size(image_.file);
+    return is_by_frame_ ? frame + std::filesystem::file_size(image_.file) : frame * frames_;
   }
   ScalarType type() const override { return type_; }
 
@@ -58,6 +61,7 @@ class CodedPixels : public DicomPixels {
     if (frame_bytes_ == 0) read();
     if (!is_by_frame_ && decoded_.empty()) decode(all(), frames_);
     if (!is_by_frame_) return std::span(decoded_).subspan(number * frame_bytes_, frame_bytes_);
+    require_codestream(structure_.fragments[number]);
     decode(one(number), 1);
     return decoded_;
   }
@@ -65,10 +69,17 @@ class CodedPixels : public DicomPixels {
  private:
   const gdcm::Image& all() const { return reader_.GetImage(); }
 
-  /// The library decodes no pixels here, but run lengths.
+  /// The library decodes no pixels here.
   void read() {
+    std::optional<Codestream> stream;
+    for (const DicomFragment& fragment : structure_.fragments) {
+      const auto its = require_codestream(fragment);
+      if (!stream) stream = its;
+      if (is_by_frame_) break;  // the others as they are decoded
+    }
     reader_.SetFileName(image_.file.c_str());
     with_gdcm(name_, [&] { return reader_.Read(); });
+    if (stream && stream->kind != Codestream::Kind::jpeg_2000) take_bits(*stream);
     const gdcm::PixelFormat& format = all().GetPixelFormat();
     const auto type = type_of(format);
     if (!type) {
@@ -83,6 +94,15 @@ class CodedPixels : public DicomPixels {
     }
     fragments_ = all().GetDataElement().GetSequenceOfFragments();
     is_by_frame_ = is_by_frame_ && fragments_ && fragments_->GetNumberOfFragments() == frames_;
+  }
+
+  /// Where the header says more bits than are coded, the library goes by either.
+  void take_bits(const Codestream& stream) {
+    const auto bits = std::uint16_t(stored_bits(stream));
+    if (bits == image_.bits && all().GetPixelFormat().GetBitsAllocated() == bits) return;
+    const auto stored = std::uint16_t(std::min<std::uint64_t>(image_.bits_stored, bits));
+    reader_.GetImage().SetPixelFormat(gdcm::PixelFormat(std::uint16_t(image_.samples), bits, stored,
+                                                        std::uint16_t(stored - 1), image_.is_signed ? 1 : 0));
   }
 
   gdcm::Image one(std::size_t number) const {
@@ -107,6 +127,30 @@ class CodedPixels : public DicomPixels {
                     name_, all, stored, high_bit, format.GetBitsAllocated()));
   }
 
+  /// Of what begins an image. The library decodes what it finds, and hands out as many bytes as the header
+  /// promises.
+  std::optional<Codestream> require_codestream(const DicomFragment& fragment) {
+    std::vector<std::byte> bytes(fragment.bytes);
+    file_.seekg(std::streamoff(fragment.begin));
+    file_.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size()));
+    const auto stream = read_codestream(bytes);
+    if (!stream) return stream;
+    const bool has_size = stream->columns == image_.columns && stream->samples == image_.samples &&
+                          (stream->rows == image_.rows || stream->rows == 0);
+    const bool is_longer = stream->bits > image_.bits, is_shorter = stored_bits(*stream) < image_.bits;
+    const bool has_bits = stream->kind == Codestream::Kind::jpeg_2000 ||
+                          (!is_longer && image_.bits <= 16 && !(is_shorter && image_.is_signed));
+    if (has_size && has_bits) return stream;
+    throw Error(
+        fmt::format("{}: the DICOM file is damaged: its header says {}x{} pixels of {} x {} bits, and the "
+                    "compressed ones "
+                    "are {}x{} of {} x {}",
+                    name_, image_.columns, image_.rows, image_.samples, image_.bits, stream->columns,
+                    stream->rows, stream->samples, stream->bits));
+  }
+  /// In which a sample is decoded.
+  static unsigned stored_bits(const Codestream& stream) { return stream.bits <= 8 ? 8 : 16; }
+
   void decode(const gdcm::Image& image, std::size_t frames) {
     decoded_.resize(frame_bytes_ * frames);
     with_gdcm(name_, [&] {
@@ -115,7 +159,7 @@ class CodedPixels : public DicomPixels {
     });
     const gdcm::PixelFormat& format = image.GetPixelFormat();
     require_as_said(format);
-    keep_stored_bits(decoded_, type_, format.GetBitsStored(), format.GetHighBit());
+    had_other_bits_ |= keep_stored_bits(decoded_, type_, format.GetBitsStored(), format.GetHighBit());
     const std::size_t samples = format.GetSamplesPerPixel();
     if (samples < 2 || image.GetPlanarConfiguration() == 0) return;
     for (std::size_t begin = 0; begin < decoded_.size(); begin += frame_bytes_) {
@@ -126,10 +170,11 @@ class CodedPixels : public DicomPixels {
 
   std::string name_;
   DicomImage image_;
+  DicomStructure structure_;
   std::size_t frames_;
   std::uint64_t samples_;  ///< of a frame
   bool is_by_frame_;       ///< each is a fragment
-  bool decodes_all_;       ///< at once, whether that is asked for or not
+  std::ifstream file_;
   gdcm::ImageReader reader_;
   ScalarType type_ = ScalarType::uint16;
   std::uint64_t frame_bytes_ = 0;
@@ -140,9 +185,16 @@ class CodedPixels : public DicomPixels {
 }  // namespace
 
 std::unique_ptr<DicomPixels> open_dicom_pixels(const DicomImage& image, std::size_t frames) {
-  const DicomStructure structure = read_dicom_structure(image.file);
+  DicomStructure structure = read_dicom_structure(image.file);
   if (structure.pixels) return open_plain_pixels(image, *structure.pixels);
-  return std::make_unique<CodedPixels>(image, structure, frames);
+  if (structure.is_run_lengths) {
+    if (structure.fragments.size() != frames)
+      throw Error(
+          fmt::format("{}: the DICOM file is damaged: it has {} frames in {} fragments of run lengths",
+                      image.file.string(), frames, structure.fragments.size()));
+    return open_run_lengths(image, std::move(structure.fragments));
+  }
+  return std::make_unique<CodedPixels>(image, std::move(structure), frames);
 }
 
 }  // namespace crest

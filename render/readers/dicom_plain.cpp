@@ -12,7 +12,7 @@
 namespace crest {
 namespace {
 
-ScalarType type_of(const std::string& name, const DicomImage& image, DicomNumbers numbers) {
+ScalarType type_of(const DicomImage& image, DicomNumbers numbers) {
   if (numbers == DicomNumbers::float32) return ScalarType::float32;
   if (numbers == DicomNumbers::float64) return ScalarType::float64;
   switch (image.bits) {
@@ -27,19 +27,19 @@ ScalarType type_of(const std::string& name, const DicomImage& image, DicomNumber
     case 64:
       return image.is_signed ? ScalarType::int64 : ScalarType::uint64;
     default:
-      throw Error(fmt::format("{}: its pixels have {} bits, and those of 1, 8, 16, 32 and 64 are read", name,
-                              image.bits));
+      throw Error(fmt::format("{}: its pixels have {} bits, and those of 1, 8, 16, 32 and 64 are read",
+                              image.file.string(), image.bits));
   }
 }
 
-void require_bits(const std::string& name, const DicomImage& image) {
+void require_bits(const DicomImage& image) {
   if (image.bits_stored <= image.bits && image.high_bit < image.bits &&
       image.high_bit + 1 >= image.bits_stored)
     return;
   throw Error(
       fmt::format("{}: the DICOM file is damaged: its pixels have {} bits, of which {} that end at "
                   "bit {} are used",
-                  name, image.bits, image.bits_stored, image.high_bit));
+                  image.file.string(), image.bits, image.bits_stored, image.high_bit));
 }
 
 /// Of pairs of pixels that share colours (Y1 Y2 Cb Cr), the samples of each.
@@ -62,12 +62,11 @@ class PlainPixels : public DicomPixels {
       : name_(image.file.string()),
         image_(image),
         place_(place),
-        type_(type_of(name_, image, place.numbers)),
+        type_(dicom_type(image, place.numbers)),
         is_packed_(image.bits == 1 && place.numbers == DicomNumbers::integers),
         samples_(image.columns * image.rows * image.samples),
         stored_(shares_colours(image) ? image.columns * image.rows * 2 : samples_),
         file_(open_file(image.file)) {
-    if (is_integer(type_)) require_bits(name_, image);
     if (shares_colours(image) && (image.columns % 2 != 0 || image.has_planes || is_packed_))
       throw Error(
           fmt::format("{}: the DICOM file is damaged: its pixels are {}, of which two share their "
@@ -87,7 +86,8 @@ class PlainPixels : public DicomPixels {
   void take(std::size_t number) {
     frame_ = bytes_at(number * stored_ * size_of(type_), stored_ * size_of(type_));
     if (is_integer(type_))
-      keep_stored_bits(frame_, type_, unsigned(image_.bits_stored), unsigned(image_.high_bit));
+      had_other_bits_ |=
+          keep_stored_bits(frame_, type_, unsigned(image_.bits_stored), unsigned(image_.high_bit));
     if (image_.has_planes) frame_ = joined_planes(frame_, image_.samples, size_of(type_));
     if (shares_colours(image_)) frame_ = spread_colours(frame_, size_of(type_));
   }
@@ -131,25 +131,39 @@ class PlainPixels : public DicomPixels {
 };
 
 template <class T>
-void keep_bits(std::span<std::byte> bytes, unsigned stored, unsigned high_bit) {
+bool keep_bits(std::span<std::byte> bytes, unsigned stored, unsigned high_bit) {
   constexpr unsigned all = 8 * sizeof(T);
-  if (stored == all) return;
+  if (stored == all) return false;
+  using Unsigned = std::make_unsigned_t<T>;
+  const unsigned low_bit = high_bit + 1 - stored;
+  const auto above = Unsigned(high_bit + 1 < all ? ~std::uint64_t(0) << (high_bit + 1) : 0);
+  bool has_others = false;
   for (std::size_t i = 0; i + sizeof(T) <= bytes.size(); i += sizeof(T)) {
-    T value;
-    std::memcpy(&value, bytes.data() + i, sizeof(T));
-    using Unsigned = std::make_unsigned_t<T>;
-    value = T(T(Unsigned(Unsigned(value) << (all - 1 - high_bit))) >> (all - stored));
+    T whole;
+    std::memcpy(&whole, bytes.data() + i, sizeof(T));
+    const T value = T(T(Unsigned(Unsigned(whole) << (all - 1 - high_bit))) >> (all - stored));
+    const auto placed = Unsigned(Unsigned(value) << low_bit);  // with its sign above it, or not
+    has_others = has_others || (Unsigned(whole) != placed && Unsigned(whole) != Unsigned(placed & ~above));
     std::memcpy(bytes.data() + i, &value, sizeof(T));
   }
+  return has_others;
 }
 
 }  // namespace
 
-void keep_stored_bits(std::span<std::byte> bytes, ScalarType type, unsigned stored, unsigned high_bit) {
+ScalarType dicom_type(const DicomImage& image, DicomNumbers numbers) {
+  const ScalarType type = type_of(image, numbers);
+  if (is_integer(type)) require_bits(image);
+  return type;
+}
+
+bool keep_stored_bits(std::span<std::byte> bytes, ScalarType type, unsigned stored, unsigned high_bit) {
+  bool has_others = false;
   with_scalar_type(type, [&](auto zero) {
     using T = decltype(zero);
-    if constexpr (std::is_integral_v<T>) keep_bits<T>(bytes, stored, high_bit);
+    if constexpr (std::is_integral_v<T>) has_others = keep_bits<T>(bytes, stored, high_bit);
   });
+  return has_others;
 }
 
 std::vector<std::byte> joined_planes(std::span<const std::byte> planes, std::size_t samples,

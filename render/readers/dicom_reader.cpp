@@ -191,10 +191,12 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   std::optional<VoxelStore> store;
   Rounding lost;
   std::uint64_t done = 0;
+  bool has_other_bits = false;
   for (const std::uint64_t k : file_by_file(slices, part)) {
     const DicomImage& slice = slices[part.first.z + k * part.stride.z];
     DicomPixels& pixels = file.of(slice, frames_of[slice.file]);
     const auto bytes = pixels.frame(slice.frame);
+    has_other_bits = has_other_bits || pixels.had_other_bits();
     if (!store) {
       volume.file_type = pixels.type();
       store.emplace(volume.file_type, part.point_count(),
@@ -207,6 +209,9 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
     tell(request.reading.progress, double(++done) / double(part.dims().z));
   }
   volume.values = store->take();
+  if (has_other_bits)
+    add_note(volume.note,
+             fmt::format("what stands in other bits than the {} stored ones is left out", first.bits_stored));
   add_note(volume.note, rounding_note(lost, volume.file_type, map_of(first)));
   place_part(volume, part);
   return volume;

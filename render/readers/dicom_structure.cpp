@@ -111,12 +111,11 @@ class Walker {
     return {tag, std::uint32_t(number(4, coding)), type};
   }
 
-  /// Past the items of a sequence, or the fragments of compressed pixels, that says no length. How many.
-  std::size_t skip_sequence(Coding coding, int depth = 0) {
+  /// Past the items of a sequence that says no length.
+  void skip_sequence(Coding coding, int depth = 0) {
     constexpr int deepest = 32;
     if (depth > deepest) throw_damaged("its sequences are nested too deeply");
-    std::size_t items = 0;
-    for (Element part = next(coding); part.tag != sequence_end; part = next(coding), ++items) {
+    for (Element part = next(coding); part.tag != sequence_end; part = next(coding)) {
       if (part.tag != item) throw_damaged("a sequence holds what is no item");
       if (part.length != undefined_length) {
         skip(part.length);
@@ -129,7 +128,20 @@ class Walker {
           skip(inner.length);
       }
     }
-    return items;
+  }
+
+  /// Past those of compressed pixels; the first is a table, and none of them.
+  std::vector<DicomFragment> take_fragments(Coding coding) {
+    std::vector<DicomFragment> fragments;
+    bool is_table = true;
+    for (Element part = next(coding); part.tag != sequence_end; part = next(coding)) {
+      if (part.tag != item || part.length == undefined_length)
+        throw_damaged("its compressed pixels hold what is no fragment");
+      if (!is_table) fragments.push_back({place(), part.length});
+      is_table = false;
+      skip(part.length);
+    }
+    return fragments;
   }
 
  private:
@@ -238,9 +250,12 @@ DicomStructure read_dicom_structure(const fs::path& path) {
       if (element.length != undefined_length && !coding.compresses)
         structure.pixels = place_of(walker, element, coding);
     }
-    const bool is_sequence = element.length == undefined_length;
-    const std::size_t items = is_sequence ? walker.skip_sequence(coding) : (walker.skip(element.length), 0);
-    if (element.tag == pixels && items > 0) structure.fragments = items - 1;  // the first is a table
+    if (element.length != undefined_length)
+      walker.skip(element.length);
+    else if (element.tag == pixels)
+      structure.fragments = walker.take_fragments(coding);
+    else
+      walker.skip_sequence(coding);
   }
   if (has_rows && !has_pixels) throw Error(fmt::format("{}: truncated: the DICOM file has no pixels", name));
   structure.has_image = has_rows && has_pixels;

@@ -177,11 +177,6 @@ TEST_F(DicomPixels, ADeflatedFileIsRefusedWithTheWayOut) {
   expect_error(write("z.dcm", plain(stored, std::string(90, 'x'))), {"deflated", "dcmconv +te"});
 }
 
-std::string fragment(std::string bytes) {
-  if (bytes.size() % 2 != 0) bytes += '\0';
-  return std::string("\xfe\xff\x00\xe0", 4) + bytes_of({double(bytes.size())}, uint32) + bytes;
-}
-
 /// Annex G of PS3.5: the high bytes, then the low ones, of 15 pixels each, as they are.
 std::string run_lengths(int first) {
   std::string high(1, char(per_frame - 1)), low = high;
@@ -197,14 +192,72 @@ std::string run_lengths(int first) {
 TEST_F(DicomPixels, CompressedFramesAreFragments) {
   constexpr int frames = 4;
   Stored stored{.frames = frames, .syntax = "1.2.840.10008.1.2.5"};
-  stored.pixels = std::string("\xe0\x7f\x10\x00OB\0\0\xff\xff\xff\xff", 12) + fragment("");
-  for (int f = 0; f < frames; ++f) stored.pixels += fragment(run_lengths(f * per_frame));
-  stored.pixels += std::string("\xfe\xff\xdd\xe0\0\0\0\0", 8);
+  std::vector<std::string> parts;
+  for (int f = 0; f < frames; ++f) parts.push_back(run_lengths(f * per_frame));
+  stored.pixels = dicom_fragments(parts);
   const std::string file = write("rle.dcm", file_of(stored));
   expect_values(load_volume(file), uint16, [](int i) { return 100 * i; });
   expect_values(load_volume(file + "?crop=:,:,2:4"), uint16, [](int i) { return 100 * (i + 2 * per_frame); });
-  stored.stored = 12, stored.high = 15;
-  expect_error(write("high.dcm", file_of(stored)), {"12 bits that end at bit 15"});
+}
+
+class RunLengths : public DicomPixels {
+ protected:
+  /// A file of two frames of that.
+  std::string of(const std::string& frame, Stored stored = {}) const {
+    stored.syntax = "1.2.840.10008.1.2.5";
+    stored.frames = 2;
+    stored.pixels = dicom_fragments({even(frame), even(frame)});
+    return write("rle.dcm", file_of(stored));
+  }
+  /// A frame with such segments.
+  static std::string with_segments(const std::vector<std::string>& segments) {
+    std::string head = bytes_of({double(segments.size())}, uint32), all;
+    for (const std::string& segment : segments) {
+      head += bytes_of({64.0 + double(all.size())}, uint32);
+      all += segment;
+    }
+    head.resize(64, '\0');
+    return head + all;
+  }
+  static std::string even(std::string bytes) { return bytes.append(bytes.size() % 2, '\0'); }
+};
+
+TEST_F(RunLengths, RepeatAndSkipAndArePadded) {
+  const std::string high = std::string("\xf2\1", 2), low = std::string("\xf6\2\x80\3abcd\0\x80", 9);
+  const std::string file = of(with_segments({high, low}));
+  expect_values(load_volume(file), uint16,
+                [](int i) { return 256 + (i % per_frame < 11 ? 2 : 'a' + i % per_frame - 11); });
+  Stored shifted{.stored = 12, .high = 15};
+  expect_values(load_volume(of(with_segments({high, low}), shifted)), uint16,
+                [](int i) { return (256 + (i % per_frame < 11 ? 2 : 'a' + i % per_frame - 11)) >> 4; });
+}
+
+TEST_F(RunLengths, ThatAreOtherThanTheHeaderSaysAreRefused) {
+  const std::string fifteen("\xf2\1", 2), fourteen("\xf3\1", 2), sixteen("\xf1\1", 2);
+  expect_error(of(with_segments({fifteen})), {"1 segments of run lengths", "promises 2"});
+  expect_error(of(with_segments({fifteen, fifteen, fifteen})), {"3 segments"});
+  expect_error(of(with_segments({fifteen, fourteen})), {"after 14 of 15 pixels"});
+  expect_error(of(with_segments({fifteen, sixteen})), {"more pixels than the 5x3"});
+  expect_error(of(with_segments({fifteen + fifteen, fifteen})), {"more pixels than the 5x3"});
+  expect_error(of(with_segments({fifteen, std::string("\7ab", 3)})), {"after 0 of 15"});
+  std::string beyond = with_segments({fifteen, fifteen});
+  beyond[8] = '\x7f';
+  expect_error(of(beyond), {"do not lie in the frame"});
+  expect_error(of("short"), {"0 segments"});
+}
+
+TEST_F(DicomPixels, WhatStandsInOtherBitsIsSaid) {
+  const Stored stored{.allocated = 16, .stored = 12, .high = 11, .is_signed = true};
+  const auto note = [&](int sample) {
+    const auto value = [&](int i) { return i == 7 ? sample : i; };
+    return load_volume(
+               write("bits.dcm", plain(stored, numbers(3 * per_frame, uint16, endian::little, value))))
+        .note;
+  };
+  const std::string said = "other bits than the 12 stored ones";
+  EXPECT_EQ(note(0x0800).find(said), std::string::npos) << "a sign that is not carried on";
+  EXPECT_EQ(note(0xf800).find(said), std::string::npos) << "one that is";
+  EXPECT_NE(note(0x1800).find(said), std::string::npos);
 }
 
 }  // namespace

@@ -323,6 +323,16 @@ std::string dicom_us(int value) {
   return out;
 }
 
+std::string dicom_fragments(const std::vector<std::string>& parts) {
+  std::string out("\xe0\x7f\x10\x00OB\0\0\xff\xff\xff\xff\xfe\xff\x00\xe0\0\0\0\0", 20);
+  for (const std::string& part : parts) {
+    out += std::string("\xfe\xff\x00\xe0", 4);
+    append_value(out, double(part.size()), ScalarType::uint32, std::endian::little);
+    out += part;
+  }
+  return out + std::string("\xfe\xff\xdd\xe0\0\0\0\0", 8);
+}
+
 std::string dicom_head(const std::string& sop_class, const std::string& instance, const std::string& syntax) {
   const std::string meta = dicom_element(2, 1, "OB", std::string("\0\1", 2)) +
                            dicom_element(2, 2, "UI", sop_class) + dicom_element(2, 3, "UI", instance) +

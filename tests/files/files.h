@@ -68,6 +68,8 @@ std::string gzip(const std::string& bytes);
 /// An element of a little-endian DICOM file that says its types, and a number as such an element's value.
 std::string dicom_element(unsigned group, unsigned number, const std::string& vr, std::string value);
 std::string dicom_us(int value);
+/// Its compressed pixels: an empty table of offsets, then the fragments.
+std::string dicom_fragments(const std::vector<std::string>& parts);
 /// Such a file to its first elements of group 8.
 std::string dicom_head(const std::string& sop_class, const std::string& instance,
                        const std::string& syntax = "1.2.840.10008.1.2.1");

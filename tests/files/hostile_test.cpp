@@ -114,17 +114,6 @@ std::string dicom(int samples, int bits, const std::string& pixels, int planar =
 
 std::string pixel_data(const std::string& bytes) { return dicom_element(0x7fe0, 0x10, "OB", bytes); }
 
-/// Compressed pixels: an empty table of offsets, then the fragments.
-std::string fragments(const std::vector<std::string>& parts) {
-  std::string out("\xe0\x7f\x10\x00OB\0\0\xff\xff\xff\xff\xfe\xff\x00\xe0\0\0\0\0", 20);
-  for (const std::string& part : parts) {
-    out += std::string("\xfe\xff\x00\xe0", 4);
-    append_value(out, double(part.size()), uint32, endian::little);
-    out += part;
-  }
-  return out + std::string("\xfe\xff\xdd\xe0\0\0\0\0", 8);
-}
-
 // DICOM has no modality values of colour (PS3.3, C.11.1): its rescale does not count.
 TEST_F(Hostile, ColourWithARescaleIsRead) {
   std::string pixels;
@@ -157,8 +146,8 @@ TEST_F(Hostile, DicomThatTakesItsDecodersDown) {
          {std::string("\xff\xd8\xff\xdb\x00\x43", 6), std::string(64, '\xff'), std::string(64, '\0'),
           std::string("\2\0\0\0\xff\xff\xff\x7f", 8) + std::string(60, 'x')}) {
       SCOPED_TRACE(syntax);
-      error_of(write("cut.dcm", dicom(1, 8, fragments({part}), 0, syntax)));
-      error_of(write("cut.dcm", dicom(1, 8, fragments({part, part}), 0, syntax)));
+      error_of(write("cut.dcm", dicom(1, 8, dicom_fragments({part}), 0, syntax)));
+      error_of(write("cut.dcm", dicom(1, 8, dicom_fragments({part, part}), 0, syntax)));
     }
   }
 }

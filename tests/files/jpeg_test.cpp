@@ -100,5 +100,32 @@ TEST(PageModule, LoadsFewLibraries) {
   EXPECT_LT(std::ranges::count(text, '\n'), 40);
 }
 
+/// Two frames of 24 x `rows` pixels of so many bits, as the DICOM file says that holds these ones.
+std::string in_dicom(const std::string& frame, int bits = 8, int rows = 16, int is_signed = 0) {
+  const auto element = dicom_element;
+  const auto even = frame + std::string(frame.size() % 2, '\0');
+  return dicom_head("1.2.840.10008.5.1.4.1.1.7.2", "1.2.3.4", "1.2.840.10008.1.2.4.51") +
+         element(0x28, 2, "US", dicom_us(1)) + element(0x28, 4, "CS", "MONOCHROME2") +
+         element(0x28, 8, "IS", "2") + element(0x28, 0x10, "US", dicom_us(rows)) +
+         element(0x28, 0x11, "US", dicom_us(24)) + element(0x28, 0x100, "US", dicom_us(bits)) +
+         element(0x28, 0x101, "US", dicom_us(bits)) + element(0x28, 0x102, "US", dicom_us(bits - 1)) +
+         element(0x28, 0x103, "US", dicom_us(is_signed)) + dicom_fragments({even, even});
+}
+
+TEST_F(Jpeg, InDicomIsWhatItsHeaderSays) {
+  std::string frame = jpeg(1, JCS_GRAYSCALE);
+  for (const int bits : {8, 16}) {
+    const Volume volume = load_volume(write("right.dcm", in_dicom(frame, bits)));
+    EXPECT_EQ(volume.file_type, ScalarType::uint8);
+    EXPECT_NEAR(volume.at(10, 8, 1), 40 + 50 + 24, 3) << bits;
+  }
+  expect_error(write("signed.dcm", in_dicom(frame, 16, 16, 1)), {"1 x 16 bits", "24x16 of 1 x 8"});
+  expect_error(write("rows.dcm", in_dicom(frame, 8, 12)), {"24x12", "24x16"});
+  const std::size_t bits = frame.find("\xff\xc0") + 4;
+  ASSERT_EQ(frame[bits], 8);
+  frame[bits] = 12;
+  expect_error(write("12.dcm", in_dicom(frame)), {"1 x 8 bits", "1 x 12"});
+}
+
 }  // namespace
 }  // namespace crest::test

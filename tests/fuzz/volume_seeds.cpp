@@ -222,7 +222,14 @@ std::vector<std::string> dicom_seeds() {
 }
 
 std::vector<std::string> dicom_pixel_seeds() {
-  return {"5 3 1 1 1 0 0 0 3 1 0 0\nabcdef", "5 3 1 16 12 13 1 0 2 2 0 0\n" + std::string(60, 'p'),
+  const auto segments = [](std::uint32_t first, std::uint32_t second) {
+    std::string head = bytes_of({2, double(first), double(second)}, ScalarType::uint32);
+    head.resize(64, '\0');
+    return head;
+  };
+  return {"2 2 1 16 16 15 0 0 1 1 3 0\n" + segments(64, 69) + "\3abcd\xfdx",
+          "5 3 1 1 1 0 0 0 3 1 0 0\nabcdef",
+          "5 3 1 16 12 13 1 0 2 2 0 0\n" + std::string(60, 'p'),
           "2 2 3 8 8 7 0 1 2 1 0 0\n" + std::string(24, 'p'),
           "4 2 3 16 12 11 0 0 2 2 0 1\n" + std::string(64, 'p'),
           "2 2 1 32 32 31 0 0 1 1 1 0\n" + std::string(16, 'p')};

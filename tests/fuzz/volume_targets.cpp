@@ -4,6 +4,7 @@
 
 #include "presets/error.h"
 #include "render/files/load.h"
+#include "render/readers/dicom_codestream.h"
 #include "render/readers/dicom_pixels.h"
 #include "render/readers/readers.h"
 #include "tests/fuzz/target.h"
@@ -85,10 +86,14 @@ void read_dicom_pixels(std::string_view input) {
   const std::string_view pixels = input.substr(std::min(end + 1, input.size()));
   image.file = write_scratch("pixels.dcm", pixels);
   place.bytes = pixels.size();
+  read_codestream(std::as_bytes(std::span(pixels)));
+  constexpr int run_lengths = 3;
   place.numbers = DicomNumbers(std::clamp(numbers, 0, 2));
   place.swapped = std::max<std::size_t>(place.swapped, 1);
   if (shares_colours) image.photometric = "YBR_FULL_422";
-  const auto opened = open_plain_pixels(image, place);
+  if (numbers == run_lengths) frames = 1;
+  const auto opened = numbers == run_lengths ? open_run_lengths(image, {{0, pixels.size()}})
+                                             : open_plain_pixels(image, place);
   for (const std::size_t frame : {frames - 1, std::size_t(0)})
     require(
         opened->frame(frame).size() == image.columns * image.rows * image.samples * size_of(opened->type()),
