@@ -164,6 +164,7 @@ Volume read_image_pages(const FileRequest& request) {
   require_known_keys(name, request.query, keys);
   const auto file = open_pages(request.path);
   const std::size_t count = file->pages();
+  if (count == 1) static_cast<void>(file->format(0));  // says it of a page with a depth
   if (count < 2)
     throw Error(fmt::format("{}: one image: a volume is a multi-page file, or a folder of images", name));
   const PlaneOrder order = order_of(name, request.path, count);

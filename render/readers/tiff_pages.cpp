@@ -161,6 +161,12 @@ class TiffFile : public PageFile {
     if (page.photometric == PHOTOMETRIC_MINISWHITE)
       format.note = "0 is shown white by other programs (MINISWHITE); values are kept";
     if (page.photometric == PHOTOMETRIC_PALETTE) format.note = "values are numbers of colours in its palette";
+    const auto orientation = tiff_field(tiff_, TIFFTAG_ORIENTATION, std::uint16_t(ORIENTATION_TOPLEFT));
+    if (orientation != ORIENTATION_TOPLEFT)
+      format.note += fmt::format(
+          "{}other programs may show its images flipped or turned (orientation {}); rows "
+          "are kept as they are stored",
+          format.note.empty() ? "" : "; ", orientation);
     return format;
   }
 
