@@ -57,6 +57,12 @@ constexpr Limits image_limits[] = {
     {0x00280103, 0, 1},      // signed
 };
 
+constexpr std::string_view short_types = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
+constexpr std::string_view long_types = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
+bool is_type(std::string_view type) {
+  return short_types.find(type) != std::string_view::npos || long_types.find(type) != std::string_view::npos;
+}
+
 class Walker {
  public:
   explicit Walker(const fs::path& path)
@@ -91,18 +97,21 @@ class Walker {
   std::uint64_t place() const { return size_ - left_; }
   /// The next element's group, of group 2 or of another, read in group 2's coding.
   std::uint64_t peek_group() {
-    const std::uint64_t group = number(2, {});
-    file_.seekg(-2, std::ios::cur);
-    left_ += 2;
-    return group;
+    const std::string bytes = peek(2);
+    return std::uint64_t(static_cast<unsigned char>(bytes[1])) << 8 | static_cast<unsigned char>(bytes[0]);
   }
+  /// Whether the next element tells its type, behind its tag.
+  bool peek_has_type() {
+    const std::string bytes = peek(6);
+    return is_type(bytes.substr(4));
+  }
+  /// At the file's begin: whether a head is there.
+  bool has_head() { return size_ >= preamble + 4 && peek(preamble + 4).ends_with("DICM"); }
 
   Element next(Coding coding) {
     const std::uint64_t group = number(2, coding), member = number(2, coding);
     const auto tag = std::uint32_t(group << 16 | member);
     if (!coding.explicit_type || group == item >> 16) return {tag, std::uint32_t(number(4, coding)), ""};
-    constexpr std::string_view short_types = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
-    constexpr std::string_view long_types = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
     const std::string type = take(2);
     if (short_types.find(type) != std::string_view::npos)
       return {tag, std::uint32_t(number(2, coding)), type};
@@ -133,6 +142,12 @@ class Walker {
   }
 
  private:
+  std::string peek(std::size_t count) {
+    std::string bytes = take(count);
+    file_.seekg(-std::streamoff(count), std::ios::cur);
+    left_ += count;
+    return bytes;
+  }
   void require(std::uint64_t count) const {
     if (count > left_) throw_short();
   }
@@ -200,14 +215,17 @@ DicomPlace place_of(const Walker& walker, const Element& element, Coding coding)
 
 DicomStructure read_dicom_structure(const fs::path& path) {
   const std::string name = path.string();
-  if (!is_dicom(path)) throw Error(fmt::format("{}: not a DICOM file: it has no DICM at byte 128", name));
+  if (!is_dicom(path))
+    throw Error(
+        fmt::format("{}: not a DICOM file: it has no DICM at byte 128, nor begins with an element", name));
   Walker walker(path);
-  walker.skip(preamble + 4);
+  if (walker.has_head()) walker.skip(preamble + 4);
 
   DicomStructure structure;
   bool has_rows = false, has_pixels = false;
   std::uint32_t last_tag = 0;
-  Coding coding;  // that of group 2, which says how the others are coded
+  Coding coding;  // that of group 2, which says how the others are coded, where it is there
+  if (!walker.at_end() && walker.peek_group() != 2) coding.explicit_type = walker.peek_has_type();
   std::string syntax;
   while (!walker.at_end()) {
     if (!syntax.empty() && walker.peek_group() != 2) coding = coding_of(name, std::exchange(syntax, ""));

@@ -107,8 +107,11 @@ PlaneOrder order_imagej(const std::string& name, const TiffDescription& descript
         name, planes ? fmt::format("{}", *planes) : "over 2^64", order.components, order.slices, order.frames,
         pages));
   order.pages.resize(pages);
-  for (std::size_t page = 0; page < pages; ++page) {  // channels first, then slices
-    const std::size_t component = page % order.components, slice = page / order.components % order.slices;
+  const bool slices_first = fields.contains("order") && fields.at("order") == "zct";  // as Micro-Manager says
+  for (std::size_t page = 0; page < pages; ++page) {  // else channels, then slices
+    const std::size_t component =
+                          slices_first ? page / order.slices % order.components : page % order.components,
+                      slice = slices_first ? page % order.slices : page / order.components % order.slices;
     order.pages[place_in(order, component, slice, page / order.components / order.slices)] = page;
   }
   take_imagej_spacing(fields, description, order);

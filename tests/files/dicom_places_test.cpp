@@ -205,5 +205,47 @@ TEST_F(DicomPlaces, AFileNeedsNoExtension) {
   EXPECT_EQ(load_volume(file("1.2.840.1", image(3))).grid.dims.z, 3);
 }
 
+/// The same elements without their types, as files are coded that do not say how.
+std::string without_types(const std::string& bytes) {
+  std::string all;
+  const auto length_at = [&](std::size_t at, std::size_t size) {
+    std::size_t length = 0;
+    for (std::size_t i = size; i-- > 0;) length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return length;
+  };
+  for (std::size_t at = 0; at < bytes.size();) {
+    const bool is_long = bytes.substr(at + 4, 2) == "OW";
+    const std::size_t length = is_long ? length_at(at + 8, 4) : length_at(at + 6, 2),
+                      begin = at + (is_long ? 12 : 8);
+    all += bytes.substr(at, 4) + bytes_of({double(length)}, uint32) + bytes.substr(begin, length);
+    at = begin + length;
+  }
+  return all;
+}
+
+TEST_F(DicomPlaces, AFileNeedsNoHead) {
+  const Elements elements = image(3);
+  const std::string typed = elements.bytes(), untyped = without_types(typed);
+  std::string none;
+  std::string mark(128, '\0');
+  mark += "DICM";
+  std::string with_meta = dicom_head(nuclear_class, "1");
+  with_meta =
+      with_meta.substr(mark.size(), with_meta.find(std::string("\x08\0\x16\0", 4)) - mark.size()) + typed;
+  std::vector<std::string> forms;
+  for (const std::string* before : {&none, &mark})
+    for (const std::string* behind : {&typed, &untyped}) forms.emplace_back(*before + *behind);
+  forms.emplace_back(with_meta);
+  for (const std::string& bytes : forms) {
+    for (const char* name : {"a.dcm", "f/a"}) {
+      const std::string path_of_file = write(name, bytes);
+      const Volume volume = load_volume(name[0] == 'f' ? path("f") : path_of_file);
+      EXPECT_EQ(frames_in(volume), std::vector({0, 1, 2}));
+    }
+  }
+  expect_error(write("b.dcm", typed.substr(0, typed.size() - 2)), {"b.dcm"});
+  expect_error(write("c.dcm", "\x08" + std::string(200, 'x')), {"not a DICOM file"});
+}
+
 }  // namespace
 }  // namespace crest::test

@@ -131,6 +131,15 @@ TEST_F(TiffDescriptions, ImageJsLengthsAreInItsUnits) {
   EXPECT_NE(odd.note.find("\"0,5\", is no number"), std::string::npos) << odd.note;
 }
 
+TEST_F(TiffDescriptions, ImageJsSlicesMayComeBeforeChannels) {
+  const std::string head = "ImageJ=1.48v\nimages=12\nchannels=2\nslices=3\nframes=2\n";
+  const std::string query = "?component=1&frame=1";
+  EXPECT_EQ(load_volume(file("a.tif", head, pages(12)) + query).values[12], 900.f);
+  const Volume volume = load_volume(file("b.tif", head + "order=zct\n", pages(12)) + query);
+  ASSERT_EQ(volume.grid.dims.z, 3);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(volume.at(0, 0, k), float(100 * (9 + k))) << k;
+}
+
 TEST_F(TiffDescriptions, AnOrientationIsSaidAndNotApplied) {
   orientation = ORIENTATION_BOTLEFT;
   const Volume volume = load_volume(file("a.tif", "", pages(3)));
