@@ -57,6 +57,7 @@ void take_marks(const gdcm::DataSet& set, DicomImage& image) {
   add_mark("echo time", dicom_text(set, Tag(0x0018, 0x0081)), image);
   add_mark("b-value", text_of(dicom_binary(set, Tag(0x0018, 0x9087))), image);
   add_mark("trigger time", dicom_text(set, Tag(0x0018, 0x1060)), image);
+  add_mark("frame reference time", dicom_text(set, Tag(0x0054, 0x1300)), image);
   add_mark("inversion time", dicom_text(set, Tag(0x0018, 0x0082)), image);
   add_mark("flip angle", dicom_text(set, Tag(0x0018, 0x1314)), image);
   add_mark("image type", dicom_text(set, Tag(0x0008, 0x0008)), image);

@@ -6,8 +6,10 @@
 #include <gdcmSequenceOfFragments.h>
 
 #include <optional>
+#include <sstream>
 
 #include "presets/error.h"
+#include "render/files/header_text.h"
 #include "render/readers/with_gdcm.h"
 
 namespace crest {
@@ -37,7 +39,8 @@ class CodedPixels : public DicomPixels {
         frames_(frames),
         samples_(image.columns * image.rows * image.samples),
         is_by_frame_(frames > 1 && structure.fragments == frames),
-        decodes_all_(!is_by_frame_ || structure.is_run_lengths) {
+        decodes_all_(!is_by_frame_ || structure.is_run_lengths),
+        end_(structure.end) {
     if (image.high_bit + 1 != image.bits_stored) {
       throw Error(
           fmt::format("{}: its compressed pixels have {} bits that end at bit {}, and those that end at bit "
@@ -50,7 +53,8 @@ class CodedPixels : public DicomPixels {
   std::uint64_t held_bytes() const override {
     constexpr std::uint64_t copies = 4;
     const std::uint64_t frame = copies * samples_ * ((image_.bits + 7) / 8);
-    return decodes_all_ ? frame * frames_ : frame + std::filesystem::file_size(image_.file);
+    const std::uint64_t copied = is_padded() ? end_ : 0;
+    return copied + (decodes_all_ ? frame * frames_ : frame + std::filesystem::file_size(image_.file));
   }
   ScalarType type() const override { return type_; }
 
@@ -64,10 +68,16 @@ class CodedPixels : public DicomPixels {
 
  private:
   const gdcm::Image& all() const { return reader_.GetImage(); }
+  bool is_padded() const { return end_ < std::filesystem::file_size(image_.file); }
 
   /// The library decodes no pixels here, but run lengths.
   void read() {
-    reader_.SetFileName(image_.file.c_str());
+    if (is_padded()) {  // the library takes what pads the file for elements
+      stream_.str(read_head(image_.file, end_));
+      reader_.SetStream(stream_);
+    } else {
+      reader_.SetFileName(image_.file.c_str());
+    }
     with_gdcm(name_, [&] { return reader_.Read(); });
     const gdcm::PixelFormat& format = all().GetPixelFormat();
     const auto type = type_of(format);
@@ -130,6 +140,8 @@ class CodedPixels : public DicomPixels {
   std::uint64_t samples_;  ///< of a frame
   bool is_by_frame_;       ///< each is a fragment
   bool decodes_all_;       ///< at once, whether that is asked for or not
+  std::uint64_t end_;      ///< of the pixels in the file
+  std::istringstream stream_;
   gdcm::ImageReader reader_;
   ScalarType type_ = ScalarType::uint16;
   std::uint64_t frame_bytes_ = 0;

@@ -63,6 +63,14 @@ bool is_type(std::string_view type) {
   return short_types.find(type) != std::string_view::npos || long_types.find(type) != std::string_view::npos;
 }
 
+/// No type at all, before a short length.
+constexpr std::string_view no_type("\0\0", 2);
+
+/// A sequence whose type its writer did not know is coded as where no types are told (PS3.5, 6.2.2).
+Coding coding_within(const Element& sequence, Coding coding) {
+  return sequence.type == "UN" ? Coding{.explicit_type = false} : coding;
+}
+
 class Walker {
  public:
   explicit Walker(const fs::path& path)
@@ -85,7 +93,6 @@ class Walker {
     return value;
   }
   void skip(std::uint64_t count) {
-    if (count % 2 != 0) throw_damaged("an element has an odd length");
     require(count);
     file_.seekg(std::streamoff(count), std::ios::cur);
     left_ -= count;
@@ -115,6 +122,7 @@ class Walker {
     const std::string type = take(2);
     if (short_types.find(type) != std::string_view::npos)
       return {tag, std::uint32_t(number(2, coding)), type};
+    if (type == no_type) return {tag, std::uint32_t(number(2, coding)), type};
     if (long_types.find(type) == std::string_view::npos) throw_damaged("an element has an unknown type");
     skip(2);
     return {tag, std::uint32_t(number(4, coding)), type};
@@ -133,7 +141,7 @@ class Walker {
       }
       for (Element inner = next(coding); inner.tag != item_end; inner = next(coding)) {
         if (inner.length == undefined_length)
-          skip_sequence(coding, depth + 1);
+          skip_sequence(coding_within(inner, coding), depth + 1);
         else
           skip(inner.length);
       }
@@ -182,7 +190,8 @@ std::string tag_text(std::uint32_t tag) { return fmt::format("({:04x},{:04x})", 
 bool check_number(Walker& walker, const Element& element, Coding coding) {
   const auto limits = std::ranges::find(image_limits, element.tag, &Limits::tag);
   if (limits == std::end(image_limits)) return false;
-  const bool is_number = element.length == 2 && (element.type == "US" || element.type.empty());
+  const bool is_number =
+      element.length == 2 && (element.type == "US" || element.type == "UN" || element.type.empty());
   const std::uint64_t value = is_number ? walker.number(2, coding) : 0;
   if (!is_number || value < limits->min || value > limits->max || (value - limits->min) % limits->step != 0) {
     walker.throw_damaged(fmt::format("{} is {}, and not one of {} to {} by {}", tag_text(element.tag), value,
@@ -241,7 +250,7 @@ DicomStructure read_dicom_structure(const fs::path& path) {
       continue;
     }
     for (const auto& [tag, type] : known_types) {
-      if (element.tag == tag && !element.type.empty() && element.type != type) {
+      if (element.tag == tag && !element.type.empty() && element.type != "UN" && element.type != type) {
         walker.throw_damaged(fmt::format("{} is of type {}, not {}", tag_text(tag), element.type, type));
       }
     }
@@ -257,8 +266,11 @@ DicomStructure read_dicom_structure(const fs::path& path) {
         structure.pixels = place_of(walker, element, coding);
     }
     const bool is_sequence = element.length == undefined_length;
-    const std::size_t items = is_sequence ? walker.skip_sequence(coding) : (walker.skip(element.length), 0);
+    const std::size_t items =
+        is_sequence ? walker.skip_sequence(coding_within(element, coding)) : (walker.skip(element.length), 0);
     if (element.tag == pixels && items > 0) structure.fragments = items - 1;  // the first is a table
+    structure.end = walker.place();
+    if (has_pixels) break;  // behind them lie signatures, and what pads the file
   }
   if (has_rows && !has_pixels) throw Error(fmt::format("{}: truncated: the DICOM file has no pixels", name));
   structure.has_image = has_rows && has_pixels;

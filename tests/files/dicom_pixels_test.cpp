@@ -203,6 +203,9 @@ TEST_F(DicomPixels, CompressedFramesAreFragments) {
   const std::string file = write("rle.dcm", file_of(stored));
   expect_values(load_volume(file), uint16, [](int i) { return 100 * i; });
   expect_values(load_volume(file + "?crop=:,:,2:4"), uint16, [](int i) { return 100 * (i + 2 * per_frame); });
+  // What pads a file is kept from GDCM
+  expect_values(load_volume(write("padded.dcm", file_of(stored) + std::string(100, '\0'))), uint16,
+                [](int i) { return 100 * i; });
   stored.stored = 12, stored.high = 15;
   expect_error(write("high.dcm", file_of(stored)), {"12 bits that end at bit 15"});
 }

@@ -1,8 +1,6 @@
 #include <fmt/core.h>
 
-#include <map>
-
-#include "files.h"
+#include "dicom_elements.h"
 #include "render/files/load.h"
 
 namespace crest::test {
@@ -18,61 +16,13 @@ std::string shorts(const std::vector<int>& numbers) {
   return bytes;
 }
 
-/// A file's elements, in their order.
-class Elements {
- public:
-  Elements& put(unsigned group, unsigned number, const std::string& type, const std::string& value) {
-    elements_[{group, number}] = dicom_element(group, number, type, value);
-    return *this;
-  }
-  /// Of items with their lengths.
-  Elements& put_items(unsigned group, unsigned number, const std::vector<std::string>& items) {
-    std::string content;
-    for (const std::string& item : items) {
-      content += std::string("\xfe\xff\x00\xe0", 4);
-      append_value(content, double(item.size()), uint32, std::endian::little);
-      content += item;
-    }
-    return put(group, number, "SQ", content);
-  }
-  std::string bytes() const {
-    std::string all;
-    for (const auto& [tag, element] : elements_) all += element;
-    return all;
-  }
-
- private:
-  std::map<std::pair<unsigned, unsigned>, std::string> elements_;
-};
-
-constexpr const char* nuclear_class = "1.2.840.10008.5.1.4.1.1.20";
-
-/// 3x2 pixels an image, 10 f + i in frame f.
-Elements image(int frames, const std::string& instance = "1.2.3.4") {
-  std::string pixels;
-  for (int f = 0; f < frames; ++f)
-    for (int i = 0; i < 6; ++i) pixels += dicom_us(10 * f + i);
-  Elements elements;
-  elements.put(8, 0x60, "CS", "NM").put(0x20, 0xd, "UI", "1.2").put(0x20, 0xe, "UI", "1.2.3");
-  if (frames > 1) elements.put(0x28, 8, "IS", std::to_string(frames));
-  elements.put(0x28, 2, "US", dicom_us(1)).put(0x28, 4, "CS", "MONOCHROME2");
-  elements.put(0x28, 0x10, "US", dicom_us(2)).put(0x28, 0x11, "US", dicom_us(3));
-  elements.put(0x28, 0x30, "DS", "2\\1").put(0x28, 0x100, "US", dicom_us(16));
-  elements.put(0x28, 0x101, "US", dicom_us(16)).put(0x28, 0x102, "US", dicom_us(15));
-  elements.put(0x28, 0x103, "US", dicom_us(0)).put(0x7fe0, 0x10, "OW", pixels);
-  elements.put(8, 0x16, "UI", nuclear_class).put(8, 0x18, "UI", instance);
-  return elements;
-}
-
 constexpr const char* upright = "1\\0\\0\\0\\1\\0";
 
 /// Where the frames and files of a series lie, which say so in many ways.
 class DicomPlaces : public FileTest {
  protected:
   std::string file(const std::string& name, const Elements& elements) const {
-    std::string head = dicom_head(nuclear_class, "1");
-    head.resize(head.find(std::string("\x08\x00\x16\x00", 4)));  // its group 8 is among the elements
-    return write(name, head + elements.bytes());
+    return write(name, dicom_head_of_two() + elements.bytes());
   }
   /// The frames that a volume's slices are.
   static std::vector<int> frames_in(const Volume& volume) {
@@ -203,48 +153,6 @@ TEST_F(DicomPlaces, AMapToTheWorldIsSaidUnlessItIsTheRescale) {
 TEST_F(DicomPlaces, AFileNeedsNoExtension) {
   EXPECT_EQ(load_volume(file("IM_0001", image(3))).grid.dims.z, 3);
   EXPECT_EQ(load_volume(file("1.2.840.1", image(3))).grid.dims.z, 3);
-}
-
-/// The same elements without their types, as files are coded that do not say how.
-std::string without_types(const std::string& bytes) {
-  std::string all;
-  const auto length_at = [&](std::size_t at, std::size_t size) {
-    std::size_t length = 0;
-    for (std::size_t i = size; i-- > 0;) length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
-    return length;
-  };
-  for (std::size_t at = 0; at < bytes.size();) {
-    const bool is_long = bytes.substr(at + 4, 2) == "OW";
-    const std::size_t length = is_long ? length_at(at + 8, 4) : length_at(at + 6, 2),
-                      begin = at + (is_long ? 12 : 8);
-    all += bytes.substr(at, 4) + bytes_of({double(length)}, uint32) + bytes.substr(begin, length);
-    at = begin + length;
-  }
-  return all;
-}
-
-TEST_F(DicomPlaces, AFileNeedsNoHead) {
-  const Elements elements = image(3);
-  const std::string typed = elements.bytes(), untyped = without_types(typed);
-  std::string none;
-  std::string mark(128, '\0');
-  mark += "DICM";
-  std::string with_meta = dicom_head(nuclear_class, "1");
-  with_meta =
-      with_meta.substr(mark.size(), with_meta.find(std::string("\x08\0\x16\0", 4)) - mark.size()) + typed;
-  std::vector<std::string> forms;
-  for (const std::string* before : {&none, &mark})
-    for (const std::string* behind : {&typed, &untyped}) forms.emplace_back(*before + *behind);
-  forms.emplace_back(with_meta);
-  for (const std::string& bytes : forms) {
-    for (const char* name : {"a.dcm", "f/a"}) {
-      const std::string path_of_file = write(name, bytes);
-      const Volume volume = load_volume(name[0] == 'f' ? path("f") : path_of_file);
-      EXPECT_EQ(frames_in(volume), std::vector({0, 1, 2}));
-    }
-  }
-  expect_error(write("b.dcm", typed.substr(0, typed.size() - 2)), {"b.dcm"});
-  expect_error(write("c.dcm", "\x08" + std::string(200, 'x')), {"not a DICOM file"});
 }
 
 }  // namespace
