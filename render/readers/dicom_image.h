@@ -30,6 +30,7 @@ struct DicomImage {
   bool has_planes = false;             ///< each frame, of the first samples, then of the second ones
   std::optional<glm::dvec3> position;  ///< of the first pixel's centre, in mm
   std::optional<std::array<glm::dvec3, 2>> orientation;  ///< along rows (x) and along columns (y)
+  bool is_taken_as_axial = false;                        ///< its file does not say the orientation
   std::optional<glm::dvec2> spacing;                     ///< in mm, x and y
   bool spacing_at_detector = false;                      ///< not in the patient
   std::optional<double> slice_distance, thickness;       ///< mm; the first one's sign is a direction

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -66,7 +67,9 @@ void take_dicom_slice_numbers(const gdcm::DataSet& set, std::vector<DicomImage>&
 void place_dicom_frames(std::vector<DicomImage>& images) {
   const DicomImage first = images[0];
   const double distance = first.slice_distance.value_or(0);
-  const bool known = first.position && first.orientation && distance != 0 && !first.is_time;
+  constexpr double longest = 1e6;  // mm, so that places can be counted with
+  const bool known =
+      first.position && first.orientation && distance != 0 && std::abs(distance) < longest && !first.is_time;
   for (DicomImage& image : images) {
     image.is_placed_by_number = known;
     const double number = image.slice_number.value_or(double(image.frame + 1));

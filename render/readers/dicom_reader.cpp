@@ -197,7 +197,7 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   const DicomGeometry geometry = geometry_of(slices);
   volume.grid = {glm::ivec3(dims), geometry.spacing, geometry.origin};
   volume.direction = geometry.direction;
-  volume.is_in_patient = first.orientation.has_value();
+  volume.is_in_patient = first.orientation.has_value() && !first.is_taken_as_axial;
   add_note(volume.note, geometry.note);
   add_note(volume.note, orientation_note(geometry.direction));
   note_values(slices, volume.note);

@@ -174,8 +174,8 @@ Images with_empty_slices(const Images& slices, std::string& note) {
   Images all = {slices[0]};
   for (std::size_t i = 1; i < slices.size(); ++i) {
     const double steps = (height(slices[i]) - height(slices[i - 1])) / distance;
-    if (steps < 0.5 || std::abs(steps - std::round(steps)) > tolerance || double(all.size()) + steps > most)
-      return slices;
+    const bool fits = steps >= 0.5 && std::abs(steps - std::round(steps)) <= tolerance;
+    if (!fits || double(all.size()) + steps > double(most)) return slices;
     for (std::size_t empty = 1; empty < std::size_t(std::round(steps)); ++empty)
       all.emplace_back(slices[i - 1]).is_empty = true;
     all.push_back(slices[i]);
@@ -258,11 +258,25 @@ void take_order(const std::vector<DicomImage>& slices, DicomGeometry& geometry) 
   }
 }
 
+/// Positions without an orientation still tell how images follow each other, where those differ along z.
+void take_as_axial(Images& images, std::string& note) {
+  const auto tells_place_alone = [](const DicomImage& i) { return i.position && !i.orientation; };
+  const auto z_of = [](const DicomImage& i) { return i.position->z; };
+  if (!std::ranges::all_of(images, tells_place_alone)) return;
+  if (std::ranges::all_of(images, [&](const DicomImage& i) { return z_of(i) == z_of(images[0]); })) return;
+  for (DicomImage& image : images) {
+    image.orientation = {{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}};
+    image.is_taken_as_axial = true;
+  }
+  add_note(note, "its images tell no orientation, and are taken as axial ones");
+}
+
 }  // namespace
 
 DicomStack stack_dicom(const std::string& name, std::vector<DicomImage> images) {
   DicomStack stack;
   images = largest_class(without_copies(std::move(images), stack.note), stack.note);
+  take_as_axial(images, stack.note);
   const bool placed = std::ranges::all_of(images, has_place);
   const bool counted = !placed && std::ranges::all_of(images, [](const DicomImage& image) {
     return !image.position && image.slice_number;

@@ -118,6 +118,21 @@ TEST_F(DicomPlaces, OrientationsAreOfLengthOne) {
   EXPECT_EQ(volume.direction, glm::dmat3(1));
 }
 
+TEST_F(DicomPlaces, PositionsAloneTellTheOrderAndTheDistance) {
+  for (int k = 0; k < 3; ++k) {
+    Elements elements = image(1, fmt::format("1.2.3.{}", k));
+    elements.put(0x20, 0x13, "IS", std::to_string(k)).put(0x28, 0x1052, "DS", std::to_string(10 * k));
+    elements.put(0x28, 0x1053, "DS", "1").put(0x20, 0x32, "DS", fmt::format("0\\0\\{}", -3 * k));
+    file(fmt::format("f/{}", k), elements);
+  }
+  const Volume volume = load_volume(path("f"));
+  EXPECT_EQ(volume.grid.spacing, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(volume.grid.origin.z, -6);
+  EXPECT_EQ(frames_in(volume), std::vector({2, 1, 0}));
+  EXPECT_FALSE(volume.is_in_patient);
+  expect_note(volume, "taken as axial");
+}
+
 TEST_F(DicomPlaces, TilesOfASlideAreNoSlices) {
   expect_error(file("a.dcm", image(3).put(0x20, 0x9311, "CS", "TILED_FULL")), {"tiles of one large image"});
   const std::string wide = bytes_of({9}, uint32);
