@@ -197,6 +197,10 @@ class TiffFile : public PageFile {
       fail(number, fmt::format("its pixels have {} bits of a kind that is not read", page.bits));
     if (page.photometric == PHOTOMETRIC_YCBCR && page.compression != COMPRESSION_JPEG)
       fail(number, "pixels as YCbCr are not read");
+    if (TIFFIsCODECConfigured(page.compression) == 0)
+      fail(number,
+           fmt::format("its compression (number {}) is not read; save it with LZW or Deflate, or none",
+                       page.compression));
     if (tiff_field(tiff_, TIFFTAG_IMAGEDEPTH, 1u) > 1) fail(number, "a page with a depth is not read");
   }
   /// What no file of this length holds is refused before memory is asked for.

@@ -315,5 +315,18 @@ TEST_F(TiffDescriptions, APageWithADepthIsRefused) {
   expect_error(file("b.tif", "", {Page(100, 0, 4, 3)}), {"page 1", "depth"});
 }
 
+TEST_F(TiffDescriptions, ACompressionThatIsNotReadIsNamed) {
+  std::string bytes;
+  {
+    std::ifstream stream(file("a.tif", "", pages(2)), std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(stream), {});
+  }
+  const std::string none = bytes_of({259, 3, 1, 0, 1}, ScalarType::uint16);  // tag, type, count, value
+  const std::string jpeg2000 = bytes_of({259, 3, 1, 0, 34712}, ScalarType::uint16);
+  for (std::size_t at = bytes.find(none); at != std::string::npos; at = bytes.find(none))
+    bytes.replace(at, none.size(), jpeg2000);
+  expect_error(write("b.tif", bytes), {"page 1", "compression (number 34712) is not read"});
+}
+
 }  // namespace
 }  // namespace crest::test
