@@ -235,5 +235,17 @@ TEST_F(Headers, NiftiComplexNumbersAreTwoComponents) {
     EXPECT_EQ(imaginary.values[std::size_t(i)], float(2 * 10 * (2 * i + 1) + 1)) << i;
 }
 
+// As programs leave it that copy a header, and not what it tells of.
+TEST_F(Headers, AnMrcsExtendedHeaderMayBeMissing) {
+  const std::string bytes = mrc(int16, endian::little).content;
+  const Volume whole = load_volume(write("a.mrc", bytes));
+  const std::string telling = with(bytes, 92, bytes_of({160}, int32));
+  const Volume volume = load_volume(write("b.mrc", telling));
+  EXPECT_EQ(volume.values, whole.values);
+  EXPECT_NE(volume.note.find("extended header of 160 bytes, which is not there"), std::string::npos)
+      << volume.note;
+  expect_error(write("c.mrc", telling + "xy"), {"c.mrc"});  // neither as long as with it nor as without
+}
+
 }  // namespace
 }  // namespace crest::test
