@@ -104,6 +104,8 @@ Volume read_file_or_folder(const FileRequest& request) {
   if (!fs::is_regular_file(request.path)) throw Error(fmt::format("{}: neither a file nor a folder", name));
   if (request.query.contains("size")) return read_raw(request);
   if (const Reader* reader = find_reader(request.path)) return reader->read(request);
+  if (is_dicom(request.path))
+    return read_beside(FileForm::dicom_file, request);  // often without an extension
   std::string known;
   for (const Reader& reader : readers)
     known += fmt::format("{}{}", known.empty() ? "" : " ", reader.format.extensions);

@@ -39,13 +39,15 @@ constexpr OtherVtk vtk_kinds[] = {
     {".vtp .pvtp", "surfaces, lines or points", "they have no voxels"},
     {".vtm .vtmb .vthb", "a list of files, its blocks", "of these a .vti file can be opened alone"}};
 
-/// A file that a ParaView collection names, from its first megabyte.
+/// A file that a ParaView collection names, from its first megabyte: file="NAME" of a .pvd, "name": "NAME" of
+/// a .series.
 std::optional<fs::path> first_in_collection(const fs::path& path) {
   const std::string head = read_head(path, longest_header);
-  constexpr std::string_view key = "file=\"";
-  const std::size_t at = head.find(key), end = at == head.npos ? at : head.find('"', at + key.size());
+  const std::string_view key = extension_of(path) == ".series" ? "\"name\"" : "file=";
+  const std::size_t at = head.find(key), begin = at == head.npos ? at : head.find('"', at + key.size()),
+                    end = begin == head.npos ? begin : head.find('"', begin + 1);
   if (end == head.npos) return std::nullopt;
-  return path.parent_path() / head.substr(at + key.size(), end - at - key.size());
+  return path.parent_path() / head.substr(begin + 1, end - begin - 1);
 }
 
 std::string how_to_open_collection(const fs::path& path) {
@@ -74,7 +76,7 @@ std::string how_to_convert(const std::filesystem::path& path) {
   for (const OtherVtk& kind : vtk_kinds)
     if (const auto known = words(kind.extensions); std::ranges::find(known, extension) != known.end())
       return fmt::format("VTK's {} ({}) is not read: {}", extension, kind.what, kind.how);
-  return extension == ".pvd" ? how_to_open_collection(path) : "";
+  return extension == ".pvd" || extension == ".series" ? how_to_open_collection(path) : "";
 }
 
 }  // namespace crest

@@ -9,8 +9,18 @@
 
 namespace crest {
 
-std::size_t choose_array(const FileRequest& request, const std::vector<std::string>& names,
+namespace {
+
+/// VTK's marks of points and cells that are hidden, or another piece's.
+constexpr const char* ghosts = "vtkGhostType";
+
+}  // namespace
+
+std::size_t choose_array(const FileRequest& request, const std::vector<std::string>& all,
                          const std::string& active, std::string& note) {
+  std::vector<std::string> names = all;
+  const bool has_ghosts = names.size() > 1 && std::erase(names, ghosts) > 0 && !names.empty();
+  if (!has_ghosts || request.query.contains("array")) names = all;
   const auto place_of = [&](const std::string& name) {
     return std::size_t(std::ranges::find(names, name) - names.begin());
   };
@@ -35,7 +45,8 @@ std::size_t choose_array(const FileRequest& request, const std::vector<std::stri
   }
   if (names.size() > 1)
     add_note(note, fmt::format("array {}, one of {}", names[chosen], fmt::join(names, ", ")));
-  return chosen;
+  if (has_ghosts && names[chosen] != ghosts) add_note(note, fmt::format("what {} hides is shown", ghosts));
+  return std::size_t(std::ranges::find(all, names[chosen]) - all.begin());
 }
 
 }  // namespace crest

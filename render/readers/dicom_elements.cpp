@@ -54,6 +54,17 @@ std::optional<double> dicom_binary(const gdcm::DataSet& set, gdcm::Tag tag) {
   return std::nullopt;
 }
 
+std::vector<double> dicom_whole_numbers(const gdcm::DataSet& set, gdcm::Tag tag) {
+  const std::string bytes = bytes_of(set, tag);
+  std::vector<double> numbers;
+  for (std::size_t at = 0; at + sizeof(std::uint16_t) <= bytes.size(); at += sizeof(std::uint16_t)) {
+    std::uint16_t number;
+    std::memcpy(&number, bytes.data() + at, sizeof number);
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
 std::vector<gdcm::DataSet> dicom_items(const gdcm::DataSet& set, gdcm::Tag tag) {
   std::vector<gdcm::DataSet> items;
   if (!set.FindDataElement(tag)) return items;

@@ -16,6 +16,8 @@ std::vector<double> dicom_numbers(const gdcm::DataSet& set, gdcm::Tag tag);
 std::optional<double> dicom_number(const gdcm::DataSet& set, gdcm::Tag tag);
 /// A binary number: US, UL or FD.
 std::optional<double> dicom_binary(const gdcm::DataSet& set, gdcm::Tag tag);
+/// The 16-bit numbers (US) of an element.
+std::vector<double> dicom_whole_numbers(const gdcm::DataSet& set, gdcm::Tag tag);
 /// The data sets of a sequence's items; none where it is not there.
 std::vector<gdcm::DataSet> dicom_items(const gdcm::DataSet& set, gdcm::Tag tag);
 

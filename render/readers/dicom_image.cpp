@@ -8,6 +8,7 @@
 #include "presets/error.h"
 #include "render/files/header_text.h"
 #include "render/readers/dicom_elements.h"
+#include "render/readers/dicom_places.h"
 #include "render/readers/dicom_structure.h"
 #include "render/readers/with_gdcm.h"
 #include "render/volume/memory.h"
@@ -17,16 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using gdcm::Tag;
-
-std::optional<glm::dvec3> vector_in(const gdcm::DataSet& set, Tag tag) {
-  const auto v = dicom_numbers(set, tag);
-  return v.size() == 3 ? std::optional(glm::dvec3(v[0], v[1], v[2])) : std::nullopt;
-}
-
-void take_orientation(const gdcm::DataSet& set, DicomImage& image) {
-  const auto v = dicom_numbers(set, Tag(0x0020, 0x0037));
-  if (v.size() == 6) image.orientation = {{glm::dvec3(v[0], v[1], v[2]), glm::dvec3(v[3], v[4], v[5])}};
-}
 
 void take_spacing(const gdcm::DataSet& set, DicomImage& image) {
   for (const Tag& tag : {Tag(0x0028, 0x0030), Tag(0x0018, 0x1164), Tag(0x0018, 0x2010)}) {
@@ -46,6 +37,15 @@ void take_scaling(const gdcm::DataSet& set, DicomImage& image) {
   image.has_value_table = image.has_value_table || !dicom_items(set, Tag(0x0028, 0x3000)).empty();
 }
 
+/// To values of the world, where they are others than the modality's (PS3.3, C.7.6.16.2.11).
+void take_world(const gdcm::DataSet& set, DicomImage& image) {
+  for (const auto& item : dicom_items(set, Tag(0x0040, 0x9096))) {
+    const auto slope = dicom_binary(item, Tag(0x0040, 0x9225)),
+               intercept = dicom_binary(item, Tag(0x0040, 0x9224));
+    if (slope && intercept) image.world.push_back({*slope, *intercept});
+  }
+}
+
 void add_mark(const char* name, const std::string& value, DicomImage& image) {
   if (!value.empty()) image.marks.push_back({name, value});
 }
@@ -57,6 +57,7 @@ void take_marks(const gdcm::DataSet& set, DicomImage& image) {
   add_mark("echo time", dicom_text(set, Tag(0x0018, 0x0081)), image);
   add_mark("b-value", text_of(dicom_binary(set, Tag(0x0018, 0x9087))), image);
   add_mark("trigger time", dicom_text(set, Tag(0x0018, 0x1060)), image);
+  add_mark("frame reference time", dicom_text(set, Tag(0x0054, 0x1300)), image);
   add_mark("inversion time", dicom_text(set, Tag(0x0018, 0x0082)), image);
   add_mark("flip angle", dicom_text(set, Tag(0x0018, 0x1314)), image);
   add_mark("image type", dicom_text(set, Tag(0x0008, 0x0008)), image);
@@ -68,17 +69,19 @@ void take_marks(const gdcm::DataSet& set, DicomImage& image) {
 /// What a functional group of an enhanced file says of a frame (PS3.3, C.7.6.16).
 void take_group(const gdcm::DataSet& group, DicomImage& image) {
   for (const auto& item : dicom_items(group, Tag(0x0020, 0x9113)))
-    if (const auto position = vector_in(item, Tag(0x0020, 0x0032))) image.position = position;
-  for (const auto& item : dicom_items(group, Tag(0x0020, 0x9116))) take_orientation(item, image);
+    if (const auto position = dicom_position(item)) image.position = position;
+  for (const auto& item : dicom_items(group, Tag(0x0020, 0x9116))) take_dicom_orientation(item, image);
   for (const auto& item : dicom_items(group, Tag(0x0028, 0x9110))) {
     image.spacing.reset();
     take_spacing(item, image);
   }
   for (const auto& item : dicom_items(group, Tag(0x0028, 0x9145))) take_scaling(item, image);
+  take_world(group, image);
   for (const auto& item : dicom_items(group, Tag(0x0020, 0x9111))) {
     add_mark("time", text_of(dicom_binary(item, Tag(0x0020, 0x9128))), image);
     add_mark("stack", dicom_text(item, Tag(0x0020, 0x9056)), image);
     add_mark("acquisition", text_of(dicom_binary(item, Tag(0x0020, 0x9156))), image);
+    if (const auto number = dicom_binary(item, Tag(0x0020, 0x9057))) image.slice_number = number;
   }
   for (const auto& item : dicom_items(group, Tag(0x0062, 0x000a)))
     add_mark("segment", text_of(dicom_binary(item, Tag(0x0062, 0x000b))), image);
@@ -142,12 +145,17 @@ DicomImage common_of(const fs::path& file, const gdcm::DataSet& set) {
   image.is_signed = dicom_binary(set, Tag(0x0028, 0x0103)).value_or(0) != 0;
   image.has_planes = image.samples > 1 && dicom_binary(set, Tag(0x0028, 0x0006)).value_or(0) != 0;
   image.photometric = dicom_text(set, Tag(0x0028, 0x0004));
-  image.position = vector_in(set, Tag(0x0020, 0x0032));
+  image.position = dicom_position(set);
   image.number = dicom_number(set, Tag(0x0020, 0x0013));
-  take_orientation(set, image);
+  take_dicom_orientation(set, image);
   take_spacing(set, image);
   take_scaling(set, image);
+  take_world(set, image);
   take_marks(set, image);
+  image.is_tile = dicom_text(set, Tag(0x0020, 0x9311)).starts_with("TILED") ||
+                  dicom_binary(set, Tag(0x0048, 0x0006)).value_or(0) > double(image.columns);
+  image.is_mosaic = dicom_text(set, Tag(0x0008, 0x0008)).find("MOSAIC") != std::string::npos &&
+                    !set.FindDataElement(Tag(0x5200, 0x9230));
   return image;
 }
 
@@ -161,19 +169,6 @@ bool frames_are_times(const gdcm::DataSet& set) {
   return tag[0] == 0x0018 && (tag[1] == 0x1063 || tag[1] == 0x1065);
 }
 
-/// A dose's planes: their distances from the first one (PS3.3, C.8.8.3.2).
-void take_offsets(const gdcm::DataSet& set, std::vector<DicomImage>& images) {
-  const auto offsets = dicom_numbers(set, Tag(0x3004, 0x000c));
-  if (offsets.size() != images.size() || !images[0].position || !images[0].orientation) return;
-  const glm::dvec3 first = *images[0].position;
-  const auto& axes = *images[0].orientation;
-  const bool relative = offsets[0] == 0;
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    images[i].position = relative ? first + offsets[i] * glm::cross(axes[0], axes[1])
-                                  : glm::dvec3(first.x, first.y, offsets[i]);
-  }
-}
-
 /// Frames without a place of their own have none: the file's position is the first one's.
 std::vector<DicomImage> frames_of(const gdcm::DataSet& set, const DicomImage& common, std::size_t count) {
   std::vector<DicomImage> images(count, common);
@@ -183,7 +178,8 @@ std::vector<DicomImage> frames_of(const gdcm::DataSet& set, const DicomImage& co
     images[i].number = double(i);
     images[i].is_time = frames_are_times(set);
   }
-  take_offsets(set, images);
+  take_dicom_offsets(set, images);
+  take_dicom_slice_numbers(set, images);
   return images;
 }
 
@@ -216,8 +212,7 @@ std::vector<DicomImage> read_dicom_images(const fs::path& file) {
     take_group(groups[i], images[i]);
   }
   const bool placed = has_groups || !dicom_numbers(set, Tag(0x3004, 0x000c)).empty();
-  for (DicomImage& image : images)
-    if (count > 1 && !placed && image.frame > 0) image.position.reset();
+  if (count > 1 && !placed) place_dicom_frames(images);
   return images;
 }
 

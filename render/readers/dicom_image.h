@@ -30,12 +30,19 @@ struct DicomImage {
   bool has_planes = false;             ///< each frame, of the first samples, then of the second ones
   std::optional<glm::dvec3> position;  ///< of the first pixel's centre, in mm
   std::optional<std::array<glm::dvec3, 2>> orientation;  ///< along rows (x) and along columns (y)
+  bool is_taken_as_axial = false;                        ///< its file does not say the orientation
   std::optional<glm::dvec2> spacing;                     ///< in mm, x and y
   bool spacing_at_detector = false;                      ///< not in the patient
-  std::optional<double> slice_distance, thickness;       ///< mm
+  std::optional<double> slice_distance, thickness;       ///< mm; the first one's sign is a direction
+  std::optional<double> slice_number;                    ///< from 1, as a file with several says it
+  bool is_placed_by_number = false;                      ///< and not by a position of its own
   std::optional<double> number;                          ///< that it is sorted by where it has no position
   bool is_time = false;                                  ///< the file's frames follow each other in time
   LinearMap scaling;                                     ///< from stored values to the modality's
+  std::vector<LinearMap> world;                          ///< to others, as to real-world values
+  bool is_tile = false;                                  ///< of a larger image, as of a microscope's slide
+  bool is_mosaic = false;  ///< holds its slices side by side, unless it has a place each
+  bool is_empty = false;   ///< is not in the file: its pixels are 0
   std::string photometric;
   bool has_value_table = false;  ///< a table maps its values, which is not applied
   std::vector<DicomMark> marks;

@@ -6,8 +6,10 @@
 #include <gdcmSequenceOfFragments.h>
 
 #include <optional>
+#include <sstream>
 
 #include "presets/error.h"
+#include "render/files/header_text.h"
 #include "render/readers/dicom_codestream.h"
 #include "render/readers/open_file.h"
 #include "render/readers/with_gdcm.h"
@@ -53,7 +55,8 @@ class CodedPixels : public DicomPixels {
   std::uint64_t held_bytes() const override {
     constexpr std::uint64_t copies = 4;
     const std::uint64_t frame = copies * samples_ * ((image_.bits + 7) / 8);
-    return is_by_frame_ ? frame + std::filesystem::file_size(image_.file) : frame * frames_;
+    const std::uint64_t copied = is_padded() ? structure_.end : 0;
+    return copied + (is_by_frame_ ? frame + std::filesystem::file_size(image_.file) : frame * frames_);
   }
   ScalarType type() const override { return type_; }
 
@@ -68,6 +71,7 @@ class CodedPixels : public DicomPixels {
 
  private:
   const gdcm::Image& all() const { return reader_.GetImage(); }
+  bool is_padded() const { return structure_.end < std::filesystem::file_size(image_.file); }
 
   /// The library decodes no pixels here.
   void read() {
@@ -77,7 +81,12 @@ class CodedPixels : public DicomPixels {
       if (!stream) stream = its;
       if (is_by_frame_) break;  // the others as they are decoded
     }
-    reader_.SetFileName(image_.file.c_str());
+    if (is_padded()) {  // the library takes what pads the file for elements
+      head_.str(read_head(image_.file, structure_.end));
+      reader_.SetStream(head_);
+    } else {
+      reader_.SetFileName(image_.file.c_str());
+    }
     with_gdcm(name_, [&] { return reader_.Read(); });
     if (stream && stream->kind != Codestream::Kind::jpeg_2000) take_bits(*stream);
     const gdcm::PixelFormat& format = all().GetPixelFormat();
@@ -175,6 +184,7 @@ class CodedPixels : public DicomPixels {
   std::uint64_t samples_;  ///< of a frame
   bool is_by_frame_;       ///< each is a fragment
   std::ifstream file_;
+  std::istringstream head_;
   gdcm::ImageReader reader_;
   ScalarType type_ = ScalarType::uint16;
   std::uint64_t frame_bytes_ = 0;

@@ -99,8 +99,24 @@ Images series_images(const FileRequest& request, const std::set<fs::path>& files
   return chosen->second;
 }
 
+/// Of a slide's tiles, and of mosaics, whose places are all the same.
+void require_slices(const std::string& name, const DicomImage& first, bool has_places) {
+  if (first.is_tile)
+    throw Error(fmt::format("{}: its frames are the tiles of one large image, and no slices", name));
+  if (first.is_mosaic && !has_places)
+    throw Error(
+        fmt::format("{}: its images are Siemens mosaics, with all slices side by side: dcm2niix writes "
+                    "a NIfTI file of them, which is read",
+                    name));
+}
+
 void note_values(const Images& slices, std::string& note) {
   const DicomImage& first = slices.front();
+  if (const auto& world = first.world;
+      !world.empty() && std::ranges::find(world, first.scaling) == world.end())
+    add_note(note,
+             fmt::format("its map to real-world values, {} times the stored ones plus {}, is not applied",
+                         world[0].slope, world[0].intercept));
   if (first.photometric == "MONOCHROME1")
     add_note(note, "0 is shown white by other programs (MONOCHROME1); values are kept");
   if (first.photometric == "PALETTE COLOR") add_note(note, "values are numbers of colours in its palette");
@@ -158,6 +174,8 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   for (const DicomImage& image : images) ++frames_of[image.file];
   const DicomStack stack = stack_dicom(name, std::move(images));
   add_note(note, stack.note);
+  const DicomImage& any = stack.frames[0].front();
+  require_slices(name, any, stack.frames[0].size() > 1 && any.position);
   Volume volume;
   const auto frame = std::size_t(select_frame(request, stack.frames.size(), volume, stack.frame_names));
   const Images& slices = stack.frames[frame];
@@ -165,6 +183,7 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   const auto component = std::size_t(
       select_one(request, ChoiceKind::component, first.samples, volume.note, sample_names(first)));
   add_note(volume.note, note);
+  if (!stack.frame_notes.empty()) add_note(volume.note, stack.frame_notes[frame]);
   const glm::u64vec3 dims(first.columns, first.rows, slices.size());
   if (dims.z < 2) throw Error(fmt::format("{}: one DICOM slice: open the folder with its series", name));
   const GridPart part = request.part_of(dims);
@@ -178,7 +197,7 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   const DicomGeometry geometry = geometry_of(slices);
   volume.grid = {glm::ivec3(dims), geometry.spacing, geometry.origin};
   volume.direction = geometry.direction;
-  volume.is_in_patient = first.orientation.has_value();
+  volume.is_in_patient = first.orientation.has_value() && !first.is_taken_as_axial;
   add_note(volume.note, geometry.note);
   add_note(volume.note, orientation_note(geometry.direction));
   note_values(slices, volume.note);
@@ -189,13 +208,15 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
     return map;
   };
   std::optional<VoxelStore> store;
+  std::vector<std::byte> empty;  ///< pixels of a slice that is not in the file
   Rounding lost;
   std::uint64_t done = 0;
   bool has_other_bits = false;
   for (const std::uint64_t k : file_by_file(slices, part)) {
     const DicomImage& slice = slices[part.first.z + k * part.stride.z];
     DicomPixels& pixels = file.of(slice, frames_of[slice.file]);
-    const auto bytes = pixels.frame(slice.frame);
+    if (slice.is_empty) empty.resize(dims.x * dims.y * slice.samples * size_of(pixels.type()));
+    const auto bytes = slice.is_empty ? std::span<const std::byte>(empty) : pixels.frame(slice.frame);
     has_other_bits = has_other_bits || pixels.had_other_bits();
     if (!store) {
       volume.file_type = pixels.type();

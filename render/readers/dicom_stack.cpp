@@ -76,8 +76,11 @@ Images largest_class(const Images& images, std::string& note) {
   return *largest;
 }
 
-/// Along the images' normal.
+bool has_place(const DicomImage& image) { return image.position && image.orientation; }
+
+/// Along the images' normal, in mm; of images without a place the slice's number.
 double height(const DicomImage& image) {
+  if (!has_place(image)) return image.slice_number.value_or(0);
   const auto& axes = *image.orientation;
   return glm::dot(*image.position, glm::cross(axes[0], axes[1]));
 }
@@ -161,11 +164,38 @@ void take_parts(const Parts& parts, DicomStack& stack) {
   }
 }
 
+/// Slices that show nothing of a segment may be left out of the file. Those between others are put in, where
+/// all that are there lie at multiples of the slices' distance.
+Images with_empty_slices(const Images& slices, std::string& note) {
+  constexpr double tolerance = 0.01;
+  constexpr std::size_t most = std::size_t(1) << 16;
+  const double distance = std::abs(slices[0].slice_distance.value_or(0));
+  if (!(distance > 0)) return slices;
+  Images all = {slices[0]};
+  for (std::size_t i = 1; i < slices.size(); ++i) {
+    const double steps = (height(slices[i]) - height(slices[i - 1])) / distance;
+    const bool fits = steps >= 0.5 && std::abs(steps - std::round(steps)) <= tolerance;
+    if (!fits || double(all.size()) + steps > double(most)) return slices;
+    for (std::size_t empty = 1; empty < std::size_t(std::round(steps)); ++empty)
+      all.emplace_back(slices[i - 1]).is_empty = true;
+    all.push_back(slices[i]);
+  }
+  if (const std::size_t put = all.size() - slices.size(); put > 0)
+    add_note(note, fmt::format("{} slice{} that the file leaves out {} put in, and 0", put,
+                               put == 1 ? "" : "s", put == 1 ? "is" : "are"));
+  return all;
+}
+
 /// Segments (PS3.3, C.8.20) have the slices that they show in, which another one may lack.
 bool take_segments(const Images& sorted, DicomStack& stack) {
   if (mark_of(sorted.front(), "segment").empty()) return false;
-  const Parts parts = parted_by(sorted, {"segment"});
+  Parts parts = parted_by(sorted, {"segment"});
   if (!places_are_unique(parts)) return false;
+  for (auto& [key, part] : parts) {
+    std::string note;
+    part = with_empty_slices(part, note);
+    stack.frame_notes.push_back(note);
+  }
   take_parts(parts, stack);
   return true;
 }
@@ -219,7 +249,8 @@ void take_order(const std::vector<DicomImage>& slices, DicomGeometry& geometry) 
                          tilt));
   for (std::size_t i = 0; i < steps; ++i) {
     const double step = std::abs(height(slices[i + 1]) - height(slices[i])), spacing = geometry.spacing.z;
-    if (std::abs(step - spacing) <= tolerance * spacing) continue;
+    if (slices[i].is_empty || slices[i + 1].is_empty || std::abs(step - spacing) <= tolerance * spacing)
+      continue;
     add_note(geometry.note,
              fmt::format("the slices are not evenly spaced: {:.6g} after slice {}, {:.6g} on average", step,
                          i + 1, spacing));
@@ -227,14 +258,34 @@ void take_order(const std::vector<DicomImage>& slices, DicomGeometry& geometry) 
   }
 }
 
+/// Positions without an orientation still tell how images follow each other, where those differ along z.
+void take_as_axial(Images& images, std::string& note) {
+  const auto tells_place_alone = [](const DicomImage& i) { return i.position && !i.orientation; };
+  const auto z_of = [](const DicomImage& i) { return i.position->z; };
+  if (!std::ranges::all_of(images, tells_place_alone)) return;
+  if (std::ranges::all_of(images, [&](const DicomImage& i) { return z_of(i) == z_of(images[0]); })) return;
+  for (DicomImage& image : images) {
+    image.orientation = {{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}};
+    image.is_taken_as_axial = true;
+  }
+  add_note(note, "its images tell no orientation, and are taken as axial ones");
+}
+
 }  // namespace
 
 DicomStack stack_dicom(const std::string& name, std::vector<DicomImage> images) {
   DicomStack stack;
   images = largest_class(without_copies(std::move(images), stack.note), stack.note);
-  const bool placed = std::ranges::all_of(
-      images, [](const DicomImage& image) { return image.position && image.orientation; });
-  if (placed && images.size() > 1)
+  take_as_axial(images, stack.note);
+  const bool placed = std::ranges::all_of(images, has_place);
+  const bool counted = !placed && std::ranges::all_of(images, [](const DicomImage& image) {
+    return !image.position && image.slice_number;
+  });
+  if (images[0].is_placed_by_number)
+    add_note(stack.note, "its frames tell no positions, and are placed by the distance between slices");
+  if (counted)
+    add_note(stack.note, "its frames tell no positions, and are in the order of their slices' numbers");
+  if ((placed || counted) && images.size() > 1)
     stack_by_position(name, std::move(images), stack);
   else
     stack_by_number(std::move(images), stack);
@@ -254,8 +305,7 @@ DicomGeometry geometry_of(const std::vector<DicomImage>& slices) {
   if (!first.spacing) add_note(geometry.note, "the spacing within its images is not known, and taken as 1");
   if (first.spacing_at_detector)
     add_note(geometry.note, "the spacing within its images is that at the detector");
-  const bool placed = std::ranges::all_of(
-      slices, [](const DicomImage& image) { return image.position && image.orientation; });
+  const bool placed = std::ranges::all_of(slices, has_place);
   if (placed && slices.size() > 1 && height(slices.front()) != height(slices.back())) {
     take_order(slices, geometry);
   } else if (first.slice_distance) {

@@ -12,6 +12,7 @@ namespace crest {
 struct DicomStack {
   std::vector<std::vector<DicomImage>> frames;
   std::vector<std::string> frame_names;  ///< "echo time 4.6"; empty where there is one frame
+  std::vector<std::string> frame_notes;  ///< of each frame, where there are some
   std::string note;                      ///< what was left out, and what the order is by
 };
 

@@ -57,6 +57,20 @@ constexpr Limits image_limits[] = {
     {0x00280103, 0, 1},      // signed
 };
 
+constexpr std::string_view short_types = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
+constexpr std::string_view long_types = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
+bool is_type(std::string_view type) {
+  return short_types.find(type) != std::string_view::npos || long_types.find(type) != std::string_view::npos;
+}
+
+/// No type at all, before a short length.
+constexpr std::string_view no_type("\0\0", 2);
+
+/// A sequence whose type its writer did not know is coded as where no types are told (PS3.5, 6.2.2).
+Coding coding_within(const Element& sequence, Coding coding) {
+  return sequence.type == "UN" ? Coding{.explicit_type = false} : coding;
+}
+
 class Walker {
  public:
   explicit Walker(const fs::path& path)
@@ -79,7 +93,6 @@ class Walker {
     return value;
   }
   void skip(std::uint64_t count) {
-    if (count % 2 != 0) throw_damaged("an element has an odd length");
     require(count);
     file_.seekg(std::streamoff(count), std::ios::cur);
     left_ -= count;
@@ -91,21 +104,25 @@ class Walker {
   std::uint64_t place() const { return size_ - left_; }
   /// The next element's group, of group 2 or of another, read in group 2's coding.
   std::uint64_t peek_group() {
-    const std::uint64_t group = number(2, {});
-    file_.seekg(-2, std::ios::cur);
-    left_ += 2;
-    return group;
+    const std::string bytes = peek(2);
+    return std::uint64_t(static_cast<unsigned char>(bytes[1])) << 8 | static_cast<unsigned char>(bytes[0]);
   }
+  /// Whether the next element tells its type, behind its tag.
+  bool peek_has_type() {
+    const std::string bytes = peek(6);
+    return is_type(bytes.substr(4));
+  }
+  /// At the file's begin: whether a head is there.
+  bool has_head() { return size_ >= preamble + 4 && peek(preamble + 4).ends_with("DICM"); }
 
   Element next(Coding coding) {
     const std::uint64_t group = number(2, coding), member = number(2, coding);
     const auto tag = std::uint32_t(group << 16 | member);
     if (!coding.explicit_type || group == item >> 16) return {tag, std::uint32_t(number(4, coding)), ""};
-    constexpr std::string_view short_types = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
-    constexpr std::string_view long_types = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
     const std::string type = take(2);
     if (short_types.find(type) != std::string_view::npos)
       return {tag, std::uint32_t(number(2, coding)), type};
+    if (type == no_type) return {tag, std::uint32_t(number(2, coding)), type};
     if (long_types.find(type) == std::string_view::npos) throw_damaged("an element has an unknown type");
     skip(2);
     return {tag, std::uint32_t(number(4, coding)), type};
@@ -123,7 +140,7 @@ class Walker {
       }
       for (Element inner = next(coding); inner.tag != item_end; inner = next(coding)) {
         if (inner.length == undefined_length)
-          skip_sequence(coding, depth + 1);
+          skip_sequence(coding_within(inner, coding), depth + 1);
         else
           skip(inner.length);
       }
@@ -145,6 +162,12 @@ class Walker {
   }
 
  private:
+  std::string peek(std::size_t count) {
+    std::string bytes = take(count);
+    file_.seekg(-std::streamoff(count), std::ios::cur);
+    left_ += count;
+    return bytes;
+  }
   void require(std::uint64_t count) const {
     if (count > left_) throw_short();
   }
@@ -179,7 +202,8 @@ std::string tag_text(std::uint32_t tag) { return fmt::format("({:04x},{:04x})", 
 bool check_number(Walker& walker, const Element& element, Coding coding) {
   const auto limits = std::ranges::find(image_limits, element.tag, &Limits::tag);
   if (limits == std::end(image_limits)) return false;
-  const bool is_number = element.length == 2 && (element.type == "US" || element.type.empty());
+  const bool is_number =
+      element.length == 2 && (element.type == "US" || element.type == "UN" || element.type.empty());
   const std::uint64_t value = is_number ? walker.number(2, coding) : 0;
   if (!is_number || value < limits->min || value > limits->max || (value - limits->min) % limits->step != 0) {
     walker.throw_damaged(fmt::format("{} is {}, and not one of {} to {} by {}", tag_text(element.tag), value,
@@ -212,14 +236,17 @@ DicomPlace place_of(const Walker& walker, const Element& element, Coding coding)
 
 DicomStructure read_dicom_structure(const fs::path& path) {
   const std::string name = path.string();
-  if (!is_dicom(path)) throw Error(fmt::format("{}: not a DICOM file: it has no DICM at byte 128", name));
+  if (!is_dicom(path))
+    throw Error(
+        fmt::format("{}: not a DICOM file: it has no DICM at byte 128, nor begins with an element", name));
   Walker walker(path);
-  walker.skip(preamble + 4);
+  if (walker.has_head()) walker.skip(preamble + 4);
 
   DicomStructure structure;
   bool has_rows = false, has_pixels = false;
   std::uint32_t last_tag = 0;
-  Coding coding;  // that of group 2, which says how the others are coded
+  Coding coding;  // that of group 2, which says how the others are coded, where it is there
+  if (!walker.at_end() && walker.peek_group() != 2) coding.explicit_type = walker.peek_has_type();
   std::string syntax;
   while (!walker.at_end()) {
     if (!syntax.empty() && walker.peek_group() != 2) coding = coding_of(name, std::exchange(syntax, ""));
@@ -235,7 +262,7 @@ DicomStructure read_dicom_structure(const fs::path& path) {
       continue;
     }
     for (const auto& [tag, type] : known_types) {
-      if (element.tag == tag && !element.type.empty() && element.type != type) {
+      if (element.tag == tag && !element.type.empty() && element.type != "UN" && element.type != type) {
         walker.throw_damaged(fmt::format("{} is of type {}, not {}", tag_text(tag), element.type, type));
       }
     }
@@ -255,7 +282,9 @@ DicomStructure read_dicom_structure(const fs::path& path) {
     else if (element.tag == pixels)
       structure.fragments = walker.take_fragments(coding);
     else
-      walker.skip_sequence(coding);
+      walker.skip_sequence(coding_within(element, coding));
+    structure.end = walker.place();
+    if (has_pixels) break;  // behind them lie signatures, and what pads the file
   }
   if (has_rows && !has_pixels) throw Error(fmt::format("{}: truncated: the DICOM file has no pixels", name));
   structure.has_image = has_rows && has_pixels;

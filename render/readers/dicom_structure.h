@@ -28,10 +28,12 @@ struct DicomStructure {
   std::uint32_t pixel_tag = 0;           ///< of the element that holds them: 0x7fe00010
   std::optional<DicomPlace> pixels;      ///< where they are not compressed
   std::vector<DicomFragment> fragments;  ///< else
+  std::uint64_t end = 0;                 ///< where they end: what is behind them is of no use
   bool is_run_lengths = false;           ///< "RLE Lossless"
 };
 
-/// Goes through the elements to the file's end. Throws Error when they are damaged, or it ends within one.
+/// Goes through the elements to the pixels' end, or to the file's. Throws Error when they are damaged, or it
+/// ends within one.
 DicomStructure read_dicom_structure(const std::filesystem::path& path);
 
 }  // namespace crest

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <map>
 
@@ -84,7 +85,7 @@ bool is_true(const MetaText& text, const std::string& key, bool fallback) {
 std::vector<fs::path> voxel_files(const std::string& name, const fs::path& path, const MetaText& text) {
   const std::string& value = text.fields.at("ElementDataFile");
   if (lower(value) == "local") return {path};
-  const auto parts = words(value);
+  auto parts = words(value);
   std::vector<fs::path> files;
   if (!parts.empty() && parts[0].starts_with("LIST")) {
     int number = text.list_line;
@@ -97,6 +98,7 @@ std::vector<fs::path> voxel_files(const std::string& name, const fs::path& path,
       ++number;
     }
   } else if (value.find('%') != std::string::npos) {
+    if (parts.size() == 1) parts = {parts[0], "1", words(text.fields.at("DimSize")).back()};  // as MetaIO
     files = files_of_pattern(name, path.parent_path(), parts);
   } else {
     files = {path.parent_path() / value};
@@ -169,8 +171,10 @@ void take_geometry(const std::string& name, const MetaText& text, std::size_t ax
   for (std::size_t a = 0; a < 3; ++a) {
     if (!spacing.empty()) header.spacing[int(a)] = spacing[a];
     if (!origin.empty()) header.origin[int(a)] = origin[a];
+    glm::dvec3 axis(0);
     for (std::size_t row = 0; row < 3 && !direction.empty(); ++row)
-      header.direction[int(a)][int(row)] = direction[a * axes + row];
+      axis[int(row)] = direction[a * axes + row];
+    if (!direction.empty()) header.direction[int(a)] = glm::normalize(axis);
   }
   const auto anatomy = text.fields.find("AnatomicalOrientation");
   header.is_in_patient =

@@ -112,6 +112,18 @@ BinaryFields in_byte_order(const std::string& name, std::string_view head, std::
                   name, as, text(likelier), extended_bytes(likelier), file_bytes, stamp_fault));
 }
 
+/// Bytes before the voxels. Some programs copy a header and not the extended one that it tells of: the file
+/// is then as long as without.
+std::uint64_t bytes_before(const BinaryFields& f, const Mode& mode, std::uint64_t file_bytes,
+                           std::string& note) {
+  const std::uint64_t extended = std::uint64_t(extended_bytes(f));
+  const glm::u64vec3 n(three(f, 0));
+  const auto voxels = checked_product({n.x, n.y, n.z, mode.components, size_of(mode.type)});
+  if (extended == 0 || !voxels || file_bytes != header_size + *voxels) return header_size + extended;
+  add_note(note, fmt::format("it tells of an extended header of {} bytes, which is not there", extended));
+  return header_size;
+}
+
 /// Which axis of space each of the file's axes is, from 0: MAPC, MAPR and MAPS.
 glm::ivec3 axis_order(const std::string& name, const BinaryFields& f) {
   const glm::ivec3 map = three(f, 64);
@@ -192,7 +204,8 @@ VoxelHeader read_mrc_header(const fs::path& path) {
   header.endian =
       f.swapped == (std::endian::native == std::endian::little) ? std::endian::big : std::endian::little;
   header.data = {{path}, 0, is_compressed ? Encoding::deflate : Encoding::raw};
-  (is_compressed ? header.data.skip : header.data.offset) = header_size + std::uint64_t(extended_bytes(f));
+  (is_compressed ? header.data.skip : header.data.offset) =
+      bytes_before(f, *mode, is_compressed ? 0 : most_bytes, header.note);
   take_layout(name, f, *mode, order, header);
   header.component_names = colour_names(mode->components);
   take_geometry(f, order, header);

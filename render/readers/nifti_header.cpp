@@ -2,6 +2,7 @@
 // header is compatible with.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -83,7 +84,7 @@ Nifti parse(const std::string& name, std::string_view head) {
 
 struct Stored {
   ScalarType type;
-  std::uint64_t components = 1;
+  std::uint64_t components = 1;  ///< 2 of a complex number, 3 and 4 of a colour
 };
 
 Stored stored_type(const std::string& name, int code) {
@@ -97,6 +98,8 @@ Stored stored_type(const std::string& name, int code) {
       return {int32};
     case 16:
       return {float32};
+    case 32:
+      return {float32, 2};
     case 64:
       return {float64};
     case 128:
@@ -111,31 +114,34 @@ Stored stored_type(const std::string& name, int code) {
       return {int64};
     case 1280:
       return {uint64};
+    case 1792:
+      return {float64, 2};
     case 2304:
       return {uint8, 4};
     default:
       throw Error(
-          fmt::format("{}: its voxels are of a type (NIfTI datatype {}) that is not read; int8 to float64 "
-                      "and RGB are",
+          fmt::format("{}: its voxels are of a type (NIfTI datatype {}) that is not read; int8 to float64, "
+                      "complex and RGB are",
                       name, code));
   }
 }
 
-void take_layout(const std::string& name, const Nifti& n, std::uint64_t colours, VoxelLayout& layout) {
+void take_layout(const std::string& name, const Nifti& n, std::uint64_t parts, VoxelLayout& layout) {
   std::int64_t axes = n.dim[0];
   if (axes < 1 || axes > 7)
     throw Error(fmt::format("{}: it has {} dimensions, and a volume has three", name, axes));
-  while (axes > 3 && n.dim[axes] == 1) --axes;
+  while (axes > 3 && n.dim[axes] <= 1) --axes;  // some programs write 0 for what is not there
   if (axes < 3 || axes > 5) {
     throw Error(fmt::format("{}: it has {} dimensions, and a volume has three{}", name, axes,
                             axes == 2 ? ": put its slices into one file, or open a folder of images" : ""));
   }
-  for (std::int64_t i = 1; i <= axes; ++i) {
+  for (std::int64_t i = 1; i <= 3; ++i) {
     if (n.dim[i] < 1) throw Error(fmt::format("{}: axis {} has {} points", name, i, n.dim[i]));
   }
-  const auto size = [&](int i) { return i <= axes ? std::uint64_t(n.dim[i]) : 1; };
-  if (colours > 1 && size(5) > 1) throw Error(fmt::format("{}: vectors of colours are not read", name));
-  layout = interleaved({size(1), size(2), size(3)}, colours, size(4));
+  const auto size = [&](int i) { return i <= axes ? std::uint64_t(std::max<std::int64_t>(n.dim[i], 1)) : 1; };
+  if (parts > 1 && size(5) > 1)
+    throw Error(fmt::format("{}: vectors of colours or of complex numbers are not read", name));
+  layout = interleaved({size(1), size(2), size(3)}, parts, size(4));
   if (size(5) == 1) return;
   layout.components = size(5);  // the slowest axis
   layout.component_stride = layout.frame_stride * layout.frames;
@@ -237,7 +243,8 @@ VoxelHeader read_nifti_header(const fs::path& path) {
   header.endian =
       n.swapped == (std::endian::native == std::endian::little) ? std::endian::big : std::endian::little;
   take_layout(name, n, stored.components, header.layout);
-  header.component_names = colour_names(stored.components);
+  const bool is_colour = stored.components > 2;
+  header.component_names = stored.components == 2 ? complex_names() : colour_names(stored.components);
   const fs::path image = n.is_pair ? other_of_pair(head_file, ".img") : head_file;
   header.data = {{image}, 0, is_compressed(image) ? Encoding::deflate : Encoding::raw};
   header.data.skip = std::uint64_t(n.offset);
@@ -247,7 +254,7 @@ VoxelHeader read_nifti_header(const fs::path& path) {
     header.data.skip = n.offset == 0 ? unsaid : std::max(header.data.skip, std::uint64_t(first_size));
   }
   take_geometry(n, header);
-  if (stored.components == 1) take_scaling(n, header);
+  if (!is_colour) take_scaling(n, header);
   return header;
 }
 

@@ -7,6 +7,7 @@
 #include "render/files/header_text.h"
 #include "render/readers/binary_fields.h"
 #include "render/readers/headers.h"
+#include "render/readers/select_one.h"
 #include "render/volume/memory.h"
 #include "render/volume/query.h"
 
@@ -141,6 +142,7 @@ VoxelHeader read_npy_header(const fs::path& path) {
   if (!shape.starts_with('(')) throw Error(fmt::format("{}: its shape {} is none", name, one_line(shape)));
   const bool fortran = value_of(name, text.dictionary, "fortran_order") == "True";
   take_layout(name, shape_of(name, shape), fortran, parts, header);
+  if (parts == 2) header.component_names = complex_names();
   header.data = {{path}, text.end, Encoding::raw};
   return header;
 }

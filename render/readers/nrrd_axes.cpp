@@ -148,7 +148,7 @@ void find_roles(const std::string& name, bool has_directions, std::vector<Axis>&
     else if (in_space)
       take(axis, Role::space);
     else
-      take(axis, unsaid && components > 0 ? Role::frame : Role::component);
+      take(axis, (unsaid || axis.kind == "list") && components > 0 ? Role::frame : Role::component);
   }
   if (spatial == 2 && frames == 1) {  // images one after another
     for (Axis& axis : axes)
@@ -171,7 +171,7 @@ void find_roles(const std::string& name, bool has_directions, std::vector<Axis>&
 Names names_of(const Axis& components) {
   const std::string& kind = components.kind;
   if (kind == "rgb-color" || kind == "rgba-color") return colour_names(components.size);
-  if (kind == "complex") return {"real part", "imaginary part"};
+  if (kind == "complex") return complex_names();
   return {};
 }
 

@@ -26,6 +26,8 @@ Names colour_names(std::uint64_t components) {
   return {};
 }
 
+Names complex_names() { return {"real part", "imaginary part"}; }
+
 std::uint64_t select_one(const FileRequest& request, ChoiceKind kind, std::uint64_t count, std::string& note,
                          const Names& names) {
   const std::string_view key = key_of(kind);

@@ -15,6 +15,8 @@ using Names = std::vector<std::string>;
 
 /// "red", "green", "blue", and "alpha" of four; none of other counts.
 Names colour_names(std::uint64_t components);
+/// "real part" and "imaginary part".
+Names complex_names();
 
 /// One of `count` components or frames, counted from 0: ChoiceNeeded when there are more than one and the
 /// query does not say which. What was taken goes to `note`. `kind` is component or frame.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "presets/error.h"
 #include "render/files/geometry.h"
@@ -30,17 +31,18 @@ struct Page {
   std::size_t number = 0;
 };
 
-void require_alike(const Page& page, const PageFormat& format, const PageFormat& first) {
+void require_alike(const Page& page, const PageFormat& format, const Page& front, const PageFormat& first) {
   if (format.width == first.width && format.height == first.height && format.channels == first.channels &&
       format.type == first.type && format.note == first.note) {
     return;
   }
   const bool values = format.note != first.note;
   throw Error(fmt::format(
-      "{}: image {} is {}x{} with {} channels of {}{}, and the first is {}x{} with {} of {}{}",
+      "{}: image {} is {}x{} with {} channels of {}{}, and the first{} is {}x{} with {} of {}{}",
       page.file.string(), page.number + 1, format.width, format.height, format.channels, name_of(format.type),
-      values ? fmt::format(" ({})", format.note) : "", first.width, first.height, first.channels,
-      name_of(first.type), values ? fmt::format(" ({})", first.note) : ""));
+      values ? fmt::format(" ({})", format.note) : "",
+      page.file == front.file ? "" : fmt::format(", {},", front.file.filename().string()), first.width,
+      first.height, first.channels, name_of(first.type), values ? fmt::format(" ({})", first.note) : ""));
 }
 
 /// Of several channels the one that the query says.
@@ -108,7 +110,7 @@ Volume read_stack(const FileRequest& request, const Stack& stack) {
     const Page& page = stack.pages[part.first.z + k * part.stride.z];
     if (page.file != opened) file = open_pages(page.file);
     opened = page.file;
-    require_alike(page, file->format(page.number), first);
+    require_alike(page, file->format(page.number), stack.pages.front(), first);
     file->read(page.number, bytes);
     lost = joined(lost, put_slice(store, part, k, bytes, first.type, {first.channels, stack.channel}, map));
     tell(request.reading.progress, double(k + 1) / double(part.dims().z));
@@ -157,6 +159,17 @@ void take_common(const std::vector<std::string>& files, const std::vector<PlaneO
   add_note(stack.note, left_out_note(left_out));
 }
 
+/// Of an image that is there twice, as s1.png and s1.tif, each slice would be two.
+void require_one_format(const std::vector<std::string>& files) {
+  std::map<fs::path, std::string> seen;
+  for (const std::string& file : files) {
+    const auto [other, is_new] = seen.emplace(fs::path(file).replace_extension(), file);
+    if (!is_new)
+      throw Error(fmt::format("{}: the folder has {} too: keep the images of one format in it", file,
+                              fs::path(other->second).filename().string()));
+  }
+}
+
 }  // namespace
 
 Volume read_image_pages(const FileRequest& request) {
@@ -164,6 +177,7 @@ Volume read_image_pages(const FileRequest& request) {
   require_known_keys(name, request.query, keys);
   const auto file = open_pages(request.path);
   const std::size_t count = file->pages();
+  if (count == 1) static_cast<void>(file->format(0));  // says it of a page with a depth
   if (count < 2)
     throw Error(fmt::format("{}: one image: a volume is a multi-page file, or a folder of images", name));
   const PlaneOrder order = order_of(name, request.path, count);
@@ -200,6 +214,7 @@ Volume read_image_folder(const FileRequest& request) {
   }
   if (files.empty()) throw Error(fmt::format("{}: a folder without images", request.name()));
   std::ranges::sort(files, natural_less);
+  require_one_format(files);
   Stack stack;
   std::vector<PlaneOrder> orders;
   std::size_t several = 0;

@@ -97,6 +97,8 @@ TiffDescription describe_tiff(const fs::path& file) {
   float x = 0, y = 0;
   if (TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &x) == 1) description.pixels_per_unit_x = double(x);
   if (TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &y) == 1) description.pixels_per_unit_y = double(y);
+  description.in_centimetres =
+      tiff_field(tiff, TIFFTAG_RESOLUTIONUNIT, std::uint16_t(RESUNIT_NONE)) == RESUNIT_CENTIMETER;
   description.whole_pages = walk_pages(file, handle).whole;
   return description;
 }

@@ -16,6 +16,7 @@ namespace crest {
 struct TiffDescription {
   std::string text;  ///< ImageDescription
   double pixels_per_unit_x = 0, pixels_per_unit_y = 0;
+  bool in_centimetres = false;           ///< that unit, as the file says; ImageJ's text may say another
   std::vector<std::size_t> whole_pages;  ///< neither smaller copies of others nor masks
 };
 TiffDescription describe_tiff(const std::filesystem::path& file);

@@ -161,6 +161,12 @@ class TiffFile : public PageFile {
     if (page.photometric == PHOTOMETRIC_MINISWHITE)
       format.note = "0 is shown white by other programs (MINISWHITE); values are kept";
     if (page.photometric == PHOTOMETRIC_PALETTE) format.note = "values are numbers of colours in its palette";
+    const auto orientation = tiff_field(tiff_, TIFFTAG_ORIENTATION, std::uint16_t(ORIENTATION_TOPLEFT));
+    if (orientation != ORIENTATION_TOPLEFT)
+      format.note += fmt::format(
+          "{}other programs may show its images flipped or turned (orientation {}); rows "
+          "are kept as they are stored",
+          format.note.empty() ? "" : "; ", orientation);
     return format;
   }
 
@@ -191,6 +197,10 @@ class TiffFile : public PageFile {
       fail(number, fmt::format("its pixels have {} bits of a kind that is not read", page.bits));
     if (page.photometric == PHOTOMETRIC_YCBCR && page.compression != COMPRESSION_JPEG)
       fail(number, "pixels as YCbCr are not read");
+    if (TIFFIsCODECConfigured(page.compression) == 0)
+      fail(number,
+           fmt::format("its compression (number {}) is not read; save it with LZW or Deflate, or none",
+                       page.compression));
     if (tiff_field(tiff_, TIFFTAG_IMAGEDEPTH, 1u) > 1) fail(number, "a page with a depth is not read");
   }
   /// What no file of this length holds is refused before memory is asked for.

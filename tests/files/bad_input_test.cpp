@@ -244,6 +244,9 @@ TEST_F(BadInput, OtherKindsOfVtkAreNamed) {
   write("s/f_1.vti", "");
   write("s/f_2.vti", "");
   expect_error(path("v.pvd"), {"as steps: '" + path("s/f_*.vti") + "'"});
+  const std::string series = R"({ "files" : [ { "name" : "s/f_1.vti", "time" : 0 } ] })";
+  expect_error(write("v.vti.series", series), {"as steps: '" + path("s/f_*.vti") + "'"});
+  expect_error(write("w.vti.series", "{ \"name\""), {"as steps: 'NAME_*.vti'"});
 }
 
 }  // namespace

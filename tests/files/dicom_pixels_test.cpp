@@ -198,6 +198,9 @@ TEST_F(DicomPixels, CompressedFramesAreFragments) {
   const std::string file = write("rle.dcm", file_of(stored));
   expect_values(load_volume(file), uint16, [](int i) { return 100 * i; });
   expect_values(load_volume(file + "?crop=:,:,2:4"), uint16, [](int i) { return 100 * (i + 2 * per_frame); });
+  // What pads a file does not count
+  expect_values(load_volume(write("padded.dcm", file_of(stored) + std::string(100, '\0'))), uint16,
+                [](int i) { return 100 * i; });
 }
 
 class RunLengths : public DicomPixels {

@@ -197,5 +197,55 @@ TEST_F(Headers, AByteOrderMarkBeforeVtkXmlIsPassedOver) {
   EXPECT_EQ(load_volume(write("a.vti", file)).values[7], 8.f);
 }
 
+TEST_F(Headers, AMetaImagesNumberedFilesAreCountedFromOneUnlessItSays) {
+  for (int k = 1; k <= 3; ++k) write(fmt::format("s{:02}", k), voxels.substr(20 * std::size_t(k - 1), 20));
+  EXPECT_EQ(load_volume(write("a.mhd", mha_head("5 4 3", "s%02d"))).values[47], stored(47));
+}
+
+TEST_F(Headers, AMetaImagesDirectionsAreOfLengthOne) {
+  const std::string head = "TransformMatrix = 2 0 0 0 2 0 0 0 2\n" + mha_head("5 4 3", "LOCAL\n");
+  EXPECT_EQ(note_of(write("a.mha", head + voxels)), "");
+}
+
+TEST_F(Headers, AnNrrdListBehindComponentsIsFrames) {
+  const std::string head =
+      "NRRD0004\ntype: uint8\ndimension: 5\nsizes: 3 2 2 2 2\nencoding: raw\n"
+      "kinds: vector domain domain domain list\n\n";
+  const Volume volume = load_volume(write("a.nrrd", head + voxels.substr(0, 48)) + "?component=1&frame=1");
+  EXPECT_EQ(volume.frames, 2);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(volume.values[std::size_t(i)], stored(24 + 3 * i + 1)) << i;
+}
+
+// As NIfTI's own library reads them: some programs write 0 for an axis that is not there.
+TEST_F(Headers, NiftiSizesOfNoneCountAsOne) {
+  const std::string bytes = nifti_header(int16, endian::little, 1, 0) + voxel_bytes(int16, endian::little);
+  const std::string none = bytes_of({5, 5, 4, 3, 0, 0}, int16);  // of five axes
+  EXPECT_EQ(load_volume(write("a.nii", with(bytes, 40, none))).values[7], float(stored_value(int16, 7)));
+  expect_error(write("b.nii", with(bytes, 40, bytes_of({3, 5, 0, 3}, int16))), {"axis 2", "0 points"});
+}
+
+TEST_F(Headers, NiftiComplexNumbersAreTwoComponents) {
+  std::string bytes = nifti_header(float32, endian::little, 2, 1);
+  bytes = with(with(bytes, 40, bytes_of({3, 2, 2, 2}, int16)), 70, bytes_of({32}, int16));
+  for (int i = 0; i < 16; ++i) append_value(bytes, 10 * i, float32, endian::little);
+  const std::string source = write("a.nii", bytes);
+  expect_error(source, {"2 components", "real part, imaginary part"});
+  const Volume imaginary = load_volume(source + "?component=1");
+  for (int i = 0; i < 8; ++i)
+    EXPECT_EQ(imaginary.values[std::size_t(i)], float(2 * 10 * (2 * i + 1) + 1)) << i;
+}
+
+// As programs leave it that copy a header, and not what it tells of.
+TEST_F(Headers, AnMrcsExtendedHeaderMayBeMissing) {
+  const std::string bytes = mrc(int16, endian::little).content;
+  const Volume whole = load_volume(write("a.mrc", bytes));
+  const std::string telling = with(bytes, 92, bytes_of({160}, int32));
+  const Volume volume = load_volume(write("b.mrc", telling));
+  EXPECT_EQ(volume.values, whole.values);
+  EXPECT_NE(volume.note.find("extended header of 160 bytes, which is not there"), std::string::npos)
+      << volume.note;
+  expect_error(write("c.mrc", telling + "xy"), {"c.mrc"});  // neither as long as with it nor as without
+}
+
 }  // namespace
 }  // namespace crest::test

@@ -87,6 +87,19 @@ TEST_F(StackTest, WhatIsNoStackIsSaid) {
   expect_error(path("odd") + "?colour=1", {"colour"});
 }
 
+TEST_F(StackTest, AnImageInTwoFormatsIsRefused) {
+  for (int page = 0; page < 2; ++page)
+    for (const char* format : {"png", "tif"})
+      write_image(fmt::format("twice/s{}.{}", page, format), OIIO::TypeUInt16, page, 1);
+  expect_error(path("twice"), {"s0.tif", "has s0.png too"});
+}
+
+TEST_F(StackTest, TheImageThatOthersDifferFromIsNamed) {
+  write_image("f/overview.png", OIIO::TypeUInt16, 0, 1, 1, 5);
+  for (int page = 0; page < 2; ++page) write_image(fmt::format("f/s{}.png", page), OIIO::TypeUInt16, page, 1);
+  expect_error(path("f"), {"s0.png", "4x3", "the first, overview.png, is 5x3"});
+}
+
 TEST_F(StackTest, TruncatedImagesAreErrors) {
   for (const char* name : {"t.tif", "s/1.tif"}) {
     const std::string file = write_image(name, OIIO::TypeUInt16, 0, name[0] == 't' ? 2 : 1, 1, 100);

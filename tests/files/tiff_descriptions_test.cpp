@@ -25,6 +25,8 @@ struct Page {
 /// What other programs say of a TIFF file's pages.
 class TiffDescriptions : public FileTest {
  protected:
+  std::uint16_t resolution_unit = RESUNIT_NONE, orientation = ORIENTATION_TOPLEFT;  ///< of file()
+
   std::string file(const std::string& name, const std::string& description,
                    const std::vector<Page>& pages) const {
     constexpr int height = 3, bits = 16;
@@ -38,11 +40,13 @@ class TiffDescriptions : public FileTest {
       TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, height);
       TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, page.channels == 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
       if (page.kind != 0) TIFFSetField(tiff, TIFFTAG_SUBFILETYPE, page.kind);
+      if (orientation != ORIENTATION_TOPLEFT) TIFFSetField(tiff, TIFFTAG_ORIENTATION, orientation);
       if (page.depth > 1) TIFFSetField(tiff, TIFFTAG_IMAGEDEPTH, page.depth);
       if (!description.empty()) {
         TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
         TIFFSetField(tiff, TIFFTAG_XRESOLUTION, 2.0);  // pixels a unit
         TIFFSetField(tiff, TIFFTAG_YRESOLUTION, 4.0);
+        TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, resolution_unit);
       }
       std::vector<std::uint16_t> values;
       for (int i = 0; i < page.width * height * page.channels; ++i)
@@ -107,6 +111,53 @@ TEST_F(TiffDescriptions, ImageJsCalibrationIsApplied) {
   EXPECT_EQ(curve.values[13], 101.f);
   EXPECT_NE(curve.note.find("not applied"), std::string::npos) << curve.note;
   EXPECT_EQ(load_volume(file("d.tif", head, pages(3))).note.find("calibration"), std::string::npos);
+  // A straight line is what ImageJ takes where none is named, of values that have a unit
+  const std::string unnamed = head + "c0=-10\nc1=2\n";
+  EXPECT_EQ(load_volume(file("e.tif", unnamed + "vunit=Gray Value\n", pages(3))).values[13], 192.f);
+  EXPECT_EQ(load_volume(file("f.tif", unnamed, pages(3))).values[13], 101.f);
+}
+
+TEST_F(TiffDescriptions, ImageJsLengthsAreInItsUnits) {
+  const std::string head = "ImageJ=1.53t\nimages=3\nslices=3\nspacing=3\nunit=";
+  const Volume escaped = load_volume(file("a.tif", head + "\\u00B5m\n", pages(3)));
+  EXPECT_EQ(escaped.grid.spacing, glm::dvec3(0.5, 0.25, 3));
+  EXPECT_NE(escaped.note.find("lengths in µm"), std::string::npos) << escaped.note;
+  const Volume others = load_volume(file("b.tif", head + "cm\nyunit=cm\nzunit=inch\n", pages(3)));
+  EXPECT_NE(others.note.find("lengths in cm, on z in inch"), std::string::npos) << others.note;
+  resolution_unit = RESUNIT_CENTIMETER;  // which ImageJ converts to these of its text alone
+  EXPECT_EQ(load_volume(file("c.tif", head + "um\n", pages(3))).grid.spacing, glm::dvec3(5000, 2500, 3));
+  EXPECT_EQ(load_volume(file("d.tif", head + "cm\n", pages(3))).grid.spacing, glm::dvec3(0.5, 0.25, 3));
+  const Volume odd = load_volume(file("e.tif", "ImageJ=1.53t\nimages=3\nslices=3\nspacing=0,5\n", pages(3)));
+  EXPECT_NE(odd.note.find("\"0,5\", is no number"), std::string::npos) << odd.note;
+}
+
+TEST_F(TiffDescriptions, ImageJsSlicesMayComeBeforeChannels) {
+  const std::string head = "ImageJ=1.48v\nimages=12\nchannels=2\nslices=3\nframes=2\n";
+  const std::string query = "?component=1&frame=1";
+  EXPECT_EQ(load_volume(file("a.tif", head, pages(12)) + query).values[12], 900.f);
+  const Volume volume = load_volume(file("b.tif", head + "order=zct\n", pages(12)) + query);
+  ASSERT_EQ(volume.grid.dims.z, 3);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(volume.at(0, 0, k), float(100 * (9 + k))) << k;
+}
+
+TEST_F(TiffDescriptions, AnOrientationIsSaidAndNotApplied) {
+  orientation = ORIENTATION_BOTLEFT;
+  const Volume volume = load_volume(file("a.tif", "", pages(3)));
+  EXPECT_EQ(volume.values[13], 101.f);
+  EXPECT_NE(volume.note.find("orientation 4"), std::string::npos) << volume.note;
+}
+
+TEST_F(TiffDescriptions, OmesOtherFilesAreNamed) {
+  const auto other = [&](const char* more) {
+    return file("a.ome.tif", fmt::format("<OME>{}</OME>", more), pages(3));
+  };
+  expect_error(
+      other("<Image><Pixels SizeZ=\"3\" SizeT=\"2\"><TiffData><UUID FileName=\"a.ome.tif\"/></TiffData>"
+            "<TiffData FirstT=\"1\"><UUID FileName=\"b.ome.tif\"/></TiffData></Pixels></Image>"),
+      {"6 planes", "3 pages", "others are in b.ome.tif"});
+  const Volume bare = load_volume(other("<BinaryOnly MetadataFile=\"a.companion.ome\"/>"));
+  EXPECT_EQ(bare.values[13], 101.f);
+  EXPECT_NE(bare.note.find("a.companion.ome, which is not read"), std::string::npos) << bare.note;
 }
 
 TEST_F(TiffDescriptions, TifffilesAxesBeforeZAreFrames) {
@@ -120,6 +171,29 @@ TEST_F(TiffDescriptions, TifffilesAxesBeforeZAreFrames) {
   for (const char* odd :
        {"{\"shape\": [5, 3, 4]}", "{\"shape\": [", "{\"shape\": [-1, 99999999999999999999]}"})
     EXPECT_EQ(load_volume(file("e.tif", odd, pages(6))).grid.dims.z, 6) << odd;
+}
+
+// As tifffile writes them where the caller names the axes: before the shape.
+TEST_F(TiffDescriptions, TifffilesAxesHaveLetters) {
+  const auto axes = [&](const char* letters, const char* shape) {
+    return file("a.tif", fmt::format("{{\"axes\": \"{}\", \"shape\": [{}, 3, 4]}}", letters, shape),
+                pages(12));
+  };
+  EXPECT_EQ(load_volume(axes("CZYX", "2, 6") + "?component=1").values[12], 700.f);
+  EXPECT_EQ(load_volume(axes("TZYX", "2, 6") + "?frame=1").values[12], 700.f);
+  const Volume between = load_volume(axes("ZCYX", "6, 2") + "?component=1");
+  EXPECT_EQ(between.grid.dims.z, 6);
+  EXPECT_EQ(between.values[12], 300.f);
+  EXPECT_EQ(load_volume(axes("TZCYX", "2, 3, 2") + "?component=1&frame=1").values[12], 900.f);
+  EXPECT_EQ(load_volume(axes("QZYX", "2, 6") + "?frame=1").values[12], 700.f);
+  EXPECT_EQ(load_volume(axes("ZYX", "12")).values[12], 100.f);
+  const Volume times = load_volume(axes("TYX", "12"));
+  EXPECT_NE(times.note.find("frames are taken as slices"), std::string::npos) << times.note;
+}
+
+TEST_F(TiffDescriptions, TifffilesThumbnailIsLeftOut) {
+  const std::vector<Page> list = {Page(900, FILETYPE_REDUCEDIMAGE, 2), Page(0), Page(100)};
+  EXPECT_EQ(load_volume(file("a.tif", "{\"shape\": [3, 2]}", list)).values[13], 101.f);
 }
 
 TEST_F(TiffDescriptions, SmallerCopiesAndMasksAreLeftOut) {
@@ -238,6 +312,20 @@ TEST_F(TiffDescriptions, AFileThatWasCutOffIsRefused) {
 
 TEST_F(TiffDescriptions, APageWithADepthIsRefused) {
   expect_error(file("a.tif", "", {Page(0), Page(100, 0, 4, 3)}), {"page 2", "depth"});
+  expect_error(file("b.tif", "", {Page(100, 0, 4, 3)}), {"page 1", "depth"});
+}
+
+TEST_F(TiffDescriptions, ACompressionThatIsNotReadIsNamed) {
+  std::string bytes;
+  {
+    std::ifstream stream(file("a.tif", "", pages(2)), std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(stream), {});
+  }
+  const std::string none = bytes_of({259, 3, 1, 0, 1}, ScalarType::uint16);  // tag, type, count, value
+  const std::string jpeg2000 = bytes_of({259, 3, 1, 0, 34712}, ScalarType::uint16);
+  for (std::size_t at = bytes.find(none); at != std::string::npos; at = bytes.find(none))
+    bytes.replace(at, none.size(), jpeg2000);
+  expect_error(write("b.tif", bytes), {"page 1", "compression (number 34712) is not read"});
 }
 
 }  // namespace

@@ -39,6 +39,16 @@ TEST_F(VtkArrays, CellsAndFieldsBeforeThePointsScalars) {
   expect_error(file + "?array=w", {"no array \"w\"", "f, v, d"});
 }
 
+TEST_F(VtkArrays, MarksOfHiddenPointsAreNoChoice) {
+  const std::string fields = "POINT_DATA 60\nFIELD FieldData 2\nvtkGhostType 1 60 unsigned_char\n" +
+                             numbers(60, 0) + "d 1 60 float\n" + numbers(60, 1000);
+  const std::string file = write("a.vtk", legacy("ASCII", fields));
+  const Volume volume = load_volume(file);
+  EXPECT_EQ(volume.values[59], 1059.f);
+  EXPECT_NE(volume.note.find("what vtkGhostType hides is shown"), std::string::npos) << volume.note;
+  EXPECT_EQ(load_volume(file + "?array=vtkGhostType").values[59], 59.f);
+}
+
 TEST_F(VtkArrays, BinaryOnesAreSteppedOver) {
   std::string rest = "POINT_DATA 60\nVECTORS v short\n" + std::string(360, '\n') +
                      "\nSCALARS d short 1\nLOOKUP_TABLE default\n";
