@@ -12,16 +12,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An element of group 2 or 8 at its very start, as files have that were written without a head: its type, or
-/// a length that such an element has.
-bool begins_with_element(std::string_view head) {
+/// An element of group 2 or 8 at its very start, and another of that group behind it, as files have that were
+/// written without a head.
+bool begins_with_elements(std::string_view head) {
   constexpr std::string_view types = "CS DA LO SH TM UI UL";
   constexpr unsigned char highest_member = 0x18, longest = 64;
-  if ((head[0] != 2 && head[0] != 8) || head[1] != 0 || head[3] != 0) return false;
-  if (static_cast<unsigned char>(head[2]) > highest_member) return false;
-  if (types.find(head.substr(4, 2)) != std::string_view::npos) return true;
-  return head[0] == 8 && static_cast<unsigned char>(head[4]) <= longest && head[4] % 2 == 0 &&
-         head.substr(5, 3) == std::string_view("\0\0", 3);
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(head[at]); };
+  if ((byte(0) != 2 && byte(0) != 8) || byte(1) != 0 || byte(2) > highest_member || byte(3) != 0)
+    return false;
+  const bool has_type = types.find(head.substr(4, 2)) != std::string_view::npos;
+  if (has_type ? byte(7) != 0 : byte(5) != 0 || byte(6) != 0 || byte(7) != 0) return false;
+  const unsigned char length = byte(has_type ? 6 : 4);
+  return length <= longest && byte(8u + length) == byte(0) && byte(9u + length) == 0;
 }
 
 }  // namespace
@@ -31,7 +33,7 @@ bool is_dicom(const fs::path& path) {
   if (!fs::is_regular_file(path)) return false;
   std::string head(preamble + 4, '\0');
   std::ifstream(path, std::ios::binary).read(head.data(), std::streamsize(head.size()));
-  return head.ends_with("DICM") || begins_with_element(head);
+  return head.ends_with("DICM") || begins_with_elements(head);
 }
 
 bool is_image(const fs::path& path) {
