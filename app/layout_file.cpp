@@ -15,7 +15,7 @@ void LayoutFile::update(const Studio& studio) {
     text += fmt::format("{}\t{:.0f}\t{:.0f}\n", name, 0.5f * (rect.first.x + rect.second.x),
                         0.5f * (rect.first.y + rect.second.y));
   if (text == last_) return;
-  write_file_atomically(path_, text);
+  replace_file(path_, text);
   last_ = std::move(text);
 }
 

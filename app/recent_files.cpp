@@ -39,12 +39,10 @@ void RecentFiles::add(const std::string& opened) {
   if (list_.size() > most_recent) list_.resize(most_recent);
   const auto path = recent_file();
   if (path.empty()) return;
-  try {
+  writer_.start([path, list = list_] {  // a convenience only: nobody is told of a failure
     std::filesystem::create_directories(path.parent_path());
-    write_file_atomically(path, nlohmann::json(list_).dump(1) + "\n");
-  } catch (const std::exception&) {
-    // a convenience only
-  }
+    write_file_atomically(path, nlohmann::json(list).dump(1) + "\n");
+  });
 }
 
 }  // namespace crest

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "app/background_writer.h"
+
 namespace crest {
 
 /// The volumes and presets that were opened last, newest first, kept in $XDG_CONFIG_HOME/crest (or
@@ -13,9 +15,11 @@ class RecentFiles {
   RecentFiles();
   void add(const std::string& opened);
   const std::vector<std::string>& list() const { return list_; }
+  void finish_writing() { writer_.finish(); }
 
  private:
   std::vector<std::string> list_;
+  BackgroundWriter writer_;
 };
 
 }  // namespace crest

@@ -47,15 +47,18 @@ void Studio::use_settings(const ReadSettings& read) {
 const StudioSettings& Studio::settings() const { return ui_->settings; }
 
 void Studio::keep_settings() {
+  if (const std::string error = settings_writer_.take_error(); !error.empty())
+    say(fmt::format("The settings are not kept: {}", error), true);
   if (ui_->settings == kept_settings_) return;
   kept_settings_ = ui_->settings;
   const std::filesystem::path file = settings_file();
   if (file.empty()) return;
-  try {
-    write_settings(file, kept_settings_);
-  } catch (const std::exception& error) {
-    say(fmt::format("The settings are not kept: {}", error.what()), true);
-  }
+  settings_writer_.start([file, settings = kept_settings_] { write_settings(file, settings); });
+}
+
+void Studio::finish_writing() {
+  recent_.finish_writing();
+  settings_writer_.finish();
 }
 
 // The message goes when what it was about does.

@@ -10,6 +10,7 @@
 #include "app/autosave.h"
 #include "app/background_choice.h"
 #include "app/background_sweep.h"
+#include "app/background_writer.h"
 #include "app/export_picture.h"
 #include "app/last_volume.h"
 #include "app/picture_maker.h"
@@ -78,13 +79,16 @@ class Studio {
     const auto now = BackgroundSweep::Clock::now();
     return sweep_.has_news(now) || choice_.has_news() || matters_.has_news(now) ||
            thumbnail_maker_.has_news() || picture_maker_.has_news() || raw_preview_.has_news() ||
-           place_match_.has_news() || steps_.has_news(now) || has_left_picture();
+           place_match_.has_news() || steps_.has_news(now) || has_left_picture() ||
+           settings_writer_.has_error();
   }
   std::string title() const;
   const Document& document() const { return document_; }
   const StudioState& ui_state() const { return *ui_; }
   /// What a person chose in earlier runs; what is chosen from now on is kept.
   void use_settings(const ReadSettings& read);
+  /// Waits for what is being written; destruction does so, too.
+  void finish_writing();
   const StudioSettings& settings() const;
   const ViewRenderer& views() const { return views_; }
   void set_performance_text(std::string text) { performance_ = std::move(text); }
@@ -216,6 +220,7 @@ class Studio {
   std::string message_, performance_;
   std::string view_error_, shader_error_;  ///< as last told
   StudioSettings kept_settings_;           ///< as they stand in their file
+  BackgroundWriter settings_writer_;
   bool message_is_error_ = false, quit_ = false;
 };
 

@@ -156,10 +156,13 @@ void run_window(const StudioOptions& options) {
     run_frames(options, window, studio);
   } catch (const std::exception& error) {
     if (!studio.leaves_thread()) throw;
+    studio.finish_writing();
     fmt::print(stderr, "crest: {}\n", printable(error.what()));
     std::_Exit(1);
   }
-  if (studio.leaves_thread()) std::_Exit(0);
+  if (!studio.leaves_thread()) return;
+  studio.finish_writing();
+  std::_Exit(0);
 }
 
 void open_studio(const StudioOptions& options) {

@@ -146,9 +146,7 @@ void sync_folder(const fs::path& file) {
   ::close(fd);
 }
 
-}  // namespace
-
-void write_file_atomically(const fs::path& path, std::string_view content) {
+void write_whole(const fs::path& path, std::string_view content, bool waits_for_disk) {
   const auto existing = what_stands_at(path);
   if (existing && !S_ISREG(existing->st_mode)) {  // a pipe or device: nothing to replace
     const int fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
@@ -163,12 +161,20 @@ void write_file_atomically(const fs::path& path, std::string_view content) {
   File file(temporary.file(), path);
   file.write(content);
   if (existing) file.take_after(*existing);
-  file.sync();
+  if (waits_for_disk) file.sync();
   file.close();
   temporary.rename_to(target);
-  sync_folder(target);
+  if (waits_for_disk) sync_folder(target);
   sweep(folder_of(target));
 }
+
+}  // namespace
+
+void write_file_atomically(const fs::path& path, std::string_view content) {
+  write_whole(path, content, true);
+}
+
+void replace_file(const fs::path& path, std::string_view content) { write_whole(path, content, false); }
 
 void require_writable(const fs::path& path) {
   const auto existing = what_stands_at(path);

@@ -13,6 +13,10 @@ namespace crest {
 /// permission, a full disk).
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
+/// The same without waiting for the disk: after a power failure the file may be empty. For what is checked
+/// when it is read, and can be made again.
+void replace_file(const std::filesystem::path& path, std::string_view content);
+
 /// Throws Error where write_file_atomically() would at once: no folder, no permission, a folder of that name.
 void require_writable(const std::filesystem::path& path);
 

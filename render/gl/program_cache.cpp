@@ -1,6 +1,7 @@
 #include "render/gl/program_cache.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "presets/error.h"
 #include "render/gl/program.h"
@@ -38,7 +39,10 @@ ProgramHandle ProgramCache::read_or_build(std::string_view vertex, std::string_v
   if (ProgramHandle program = read_program(binary_folder_, text)) return program;
   ProgramHandle program = build_program(source);
   ++compiled_;
-  write_program(binary_folder_, text, program.id());
+  std::erase_if(writing_, [](const auto& one) {
+    return !one.valid() || one.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  });
+  writing_.push_back(write_program(binary_folder_, text, program.id()));
   return program;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <map>
 #include <string>
 #include <string_view>
@@ -55,6 +56,7 @@ class ProgramCache {
   std::uint64_t uses_ = 0;
   std::map<std::pair<std::string, std::vector<std::string>>, Variant> variants_;
   std::string error_;
+  std::vector<std::future<void>> writing_;  ///< their files; the end waits for them
 };
 
 }  // namespace crest::gl

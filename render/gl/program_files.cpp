@@ -4,6 +4,8 @@
 #include <xxhash.h>
 
 #include <cstring>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "render/files/folder_cache.h"
@@ -41,17 +43,24 @@ ProgramHandle read_program(const std::filesystem::path& folder, const std::strin
   return linked ? std::move(program) : ProgramHandle();
 }
 
-void write_program(const std::filesystem::path& folder, const std::string& source, GLuint program) {
-  if (folder.empty() || !has_binaries()) return;
+std::future<void> write_program(const std::filesystem::path& folder, const std::string& source,
+                                GLuint program) {
+  if (folder.empty() || !has_binaries()) return {};
   GLint length = 0;
   glGetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &length);
-  if (length <= 0) return;
+  if (length <= 0) return {};
   GLenum format = 0;
   std::string content(sizeof format + std::size_t(length), '\0');
   glGetProgramBinary(program, length, &length, &format, content.data() + sizeof format);
   std::memcpy(content.data(), &format, sizeof format);
   content.resize(sizeof format + std::size_t(length));
-  write_cached(file_of(folder, source), std::move(content), program_files_bytes);
+  try {
+    return std::async(std::launch::async, [file = file_of(folder, source), content = std::move(content)] {
+      write_cached(file, content, program_files_bytes);
+    });
+  } catch (const std::system_error&) {  // no thread
+    return {};
+  }
 }
 
 }  // namespace crest::gl

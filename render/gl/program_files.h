@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <string>
 
 #include "render/gl/handle.h"
@@ -15,8 +16,9 @@ inline constexpr std::uintmax_t program_files_bytes = std::uintmax_t(64) << 20;
 /// driver, from a file in `folder`; nothing where there is none, or the driver does not take it any more.
 ProgramHandle read_program(const std::filesystem::path& folder, const std::string& source);
 
-/// Keeps a linked program for read_program, where the driver gives its binary. What cannot be written is
-/// compiled again next time.
-void write_program(const std::filesystem::path& folder, const std::string& source, GLuint program);
+/// Keeps a linked program for read_program, where the driver gives its binary: it is written in a thread,
+/// since the disk may be busy. What cannot be written is compiled again next time.
+[[nodiscard]] std::future<void> write_program(const std::filesystem::path& folder, const std::string& source,
+                                              GLuint program);
 
 }  // namespace crest::gl

@@ -215,8 +215,9 @@ Volume read_images(const FileRequest& request, Images images, std::string note) 
   for (const std::uint64_t k : file_by_file(slices, part)) {
     const DicomImage& slice = slices[part.first.z + k * part.stride.z];
     DicomPixels& pixels = file.of(slice, frames_of[slice.file]);
-    if (slice.is_empty) empty.resize(dims.x * dims.y * slice.samples * size_of(pixels.type()));
-    const auto bytes = slice.is_empty ? std::span<const std::byte>(empty) : pixels.frame(slice.frame);
+    const auto there = pixels.frame(slice.frame);  // of an empty one another's, which has its size and type
+    if (slice.is_empty) empty.assign(there.size(), std::byte{0});
+    const auto bytes = slice.is_empty ? std::span<const std::byte>(empty) : there;
     has_other_bits = has_other_bits || pixels.had_other_bits();
     if (!store) {
       volume.file_type = pixels.type();

@@ -15,7 +15,7 @@ source "$(dirname "$0")/monkey_acts.sh"
 RANDOM=$seed
 actions=$work/actions memory=$work/memory
 slowest_s=2 growth_percent=5 home_every_s=30
-settled_s=300 # since the program began: by then the libraries have what they keep
+settled_s=$((seconds > 1800 ? seconds / 6 : 300)) # since the program began: by then the libraries have what they keep
 
 export HOME=$work/home XDG_CACHE_HOME=$work/cache TMPDIR=$work/tmp PATH=$work/bin:$PATH
 mkdir -p "$HOME" "$TMPDIR" "$work/bin" "$work/saved"
