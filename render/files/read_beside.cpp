@@ -178,6 +178,7 @@ class Reader {
         fail(fmt::format("it took longer than {} s",
                          std::chrono::duration_cast<std::chrono::seconds>(deadline_ - begin_).count()));
       }
+      if (found == 0 && process_.is_stopped()) fail("it was stopped by a signal");
       if (found <= 0) continue;
       const ssize_t got = ::read(process_.output(), out, size);
       if (got >= 0) return std::size_t(got);

@@ -146,6 +146,7 @@ int main(int argc, char** argv) {
     for (volatile bool more = true; more;) continue;
   }
   if (what == "sleep") ::pause();
+  if (what == "stop") std::raise(SIGSTOP);
   if (what == "allocate") allocate();
   if (what == "leave") return 7;
   if (what == "short") std::cout << volume() << voxels.substr(1);
