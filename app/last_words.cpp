@@ -57,6 +57,8 @@ extern "C" void end_crashed(int signal) {
       end_with("it, or a driver or library that it uses, crashed: a wrong division");
     case SIGILL:
       end_with("it, or a driver or library that it uses, crashed: an instruction that this processor lacks");
+    case SIGXCPU:
+      end_with("it took more processor time than ulimit -t allows");
     default:
       end_with("a driver or library that it uses gave up");
   }
@@ -87,7 +89,8 @@ void end_crashes_with_a_line() {
   struct sigaction action {};
   action.sa_handler = end_crashed;
   action.sa_flags = SA_ONSTACK | SA_RESETHAND;
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU})
+    ::sigaction(signal, &action, nullptr);
   std::set_terminate(end_uncaught);
 }
 

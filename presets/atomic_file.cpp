@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstring>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "presets/error.h"
@@ -113,6 +114,21 @@ std::optional<struct stat> what_stands_at(const fs::path& path) {
   return existing;
 }
 
+/// Open for writing. A pipe is not waited for: who reads it gets a second to come.
+int open_device(const fs::path& path) {
+  constexpr std::chrono::milliseconds for_a_reader{1000}, between{10};
+  const auto end = std::chrono::steady_clock::now() + for_a_reader;
+  int fd = -1;
+  while ((fd = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) < 0) {
+    if (errno != ENXIO) fail_writing(path, errno);
+    if (std::chrono::steady_clock::now() > end)
+      throw Error(fmt::format("cannot write {}: a pipe that nobody reads", path.string()));
+    std::this_thread::sleep_for(between);
+  }
+  ::fcntl(fd, F_SETFL, 0);
+  return fd;
+}
+
 /// The file that a symbolic link leads to, though it need not exist.
 fs::path link_target(fs::path path) {
   std::error_code error;
@@ -164,9 +180,7 @@ void sync_folder(const fs::path& file) {
 void write_file_atomically(const fs::path& path, std::string_view content) {
   const auto existing = what_stands_at(path);
   if (existing && !S_ISREG(existing->st_mode)) {  // a pipe or device: nothing to replace
-    const int fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (fd < 0) fail_writing(path, errno);
-    File file(fd, path);
+    File file(open_device(path), path);
     file.write(content);
     return file.close();
   }

@@ -30,7 +30,7 @@ TEST_F(Scarce, ACrashIsALine) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "the sanitizer tells of it";
 #endif
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) {
     const auto crash = [&] {
       end_crashes_with_a_line();
       std::raise(signal);

@@ -223,6 +223,18 @@ TEST_F(AtomicFile, APipeIsReadWhereSomebodyWrites) {
   writer.join();
 }
 
+TEST_F(AtomicFile, APipeIsWrittenWhereSomebodyReads) {
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(error_of([&] { write_file_atomically(pipe, "content"); }),
+            "cannot write " + pipe.string() + ": a pipe that nobody reads");
+  std::string read;
+  std::thread reader([&] { std::ifstream(pipe) >> read; });
+  write_file_atomically(pipe, "content");
+  reader.join();
+  EXPECT_EQ(read, "content");
+}
+
 TEST_F(AtomicFile, ALargeFileIsRefusedUnread) {
   std::ofstream(path) << "x";
   fs::resize_file(path, std::uintmax_t(1) << 40);
