@@ -89,7 +89,7 @@ TEST_F(FailingReader, ALoopIsEnded) {
 }
 
 TEST_F(FailingReader, OneThatIsStoppedIsEnded) {
-  EXPECT_EQ(error_of("stop"), "its reader failed (it was stopped by a signal)");
+  EXPECT_EQ(error_of("stop", std::chrono::seconds(1)), "its reader failed (it was stopped by a signal)");
 }
 
 TEST_F(FailingReader, MemoryHasAnEnd) {
