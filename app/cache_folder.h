@@ -8,6 +8,10 @@ namespace crest {
 /// neither is known. It need not exist.
 std::filesystem::path cache_folder();
 
+/// Where no file can be made in it, or the disk is full, Mesa is told so, which else prints that on stderr.
+/// Before any thread begins.
+void tell_driver_of_cache();
+
 /// The part of it for linked shader programs; empty where the cache folder is.
 std::filesystem::path program_folder();
 

@@ -10,10 +10,14 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <system_error>
 #include <utility>
 
+#include "app/cache_folder.h"
 #include "app/commands.h"
+#include "app/last_words.h"
 #include "presets/error.h"
 #include "presets/printable.h"
 
@@ -25,6 +29,7 @@ void report(std::string_view text) {
   while (text.ends_with('\n')) text.remove_suffix(1);
   const std::string line = "crest: " + printable(text) + "\n";
   std::fwrite(line.data(), 1, line.size(), stderr);
+  end_crashes_silently();
 }
 
 constexpr const char* description =
@@ -84,7 +89,9 @@ void read_and_run(int argc, char** argv, const std::string& version) {
 int run_command_line(int argc, char** argv, const std::string& version) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its writer
   open_standard_streams();
+  end_crashes_with_a_line();
   ::setenv("EGL_LOG_LEVEL", "fatal", 0);  // what cannot be drawn with is said in our words
+  tell_driver_of_cache();
   try {
     read_and_run(argc, argv, version);
     return 0;
@@ -93,6 +100,13 @@ int run_command_line(int argc, char** argv, const std::string& version) {
     return 2;
   } catch (const std::bad_alloc&) {
     report("out of memory");
+  } catch (const std::filesystem::filesystem_error& error) {  // whose text names the function that failed
+    report(fmt::format("{}: {}", error.path1().string(), error.code().message()));
+  } catch (const std::system_error& error) {  // fmt's, or of a thread
+    report(fmt::format(
+        "{}: {}",
+        std::ferror(stdout) != 0 ? "cannot write to the standard output" : "the system gives no more threads",
+        error.code().message()));
   } catch (const std::exception& error) {
     report(error.what());
   }

@@ -13,6 +13,7 @@
 #include "app/scene_options.h"
 #include "app/sources.h"
 #include "presets/json.h"
+#include "presets/json_text.h"
 #include "presets/names.h"
 #include "render/scene/camera.h"
 #include "ui/studio.h"
@@ -67,7 +68,7 @@ ComparedPictures compare_exactly(const std::vector<Scene>& scenes, const Camera&
 
 void compare_modes(const CompareOptions& options) {
   const double aspect = aspect_of(options.picture.pixels());  // a wrong size is found before any work
-  require_other_file(options.picture.output, options.scene.volume);
+  require_other_files({{"--output", options.picture.output}}, {options.scene.volume, options.scene.preset});
   require_output(options.picture);
   const auto loaded = options.scene.load();
   const Preset said = options.scene.read_preset();
@@ -96,7 +97,7 @@ void compare_modes(const CompareOptions& options) {
   nlohmann::ordered_json json;
   for (auto& picture : comparison.pictures) json["modes"].push_back(std::move(picture.statistics));
   json["renderer"] = comparison.renderer;
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", pretty(json));
 }
 
 void add_compare_command(Options app, Command& chosen) {

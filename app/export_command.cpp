@@ -78,7 +78,8 @@ ExportPreview draw_preview(const ExportCommandOptions& options, const Exporter& 
 void export_preset(const ExportCommandOptions& options) {
   const Exporter& exporter = find_exporter(options.format);
   if (!options.preview.empty() && options.volume.empty()) throw UsageError("--preview", "needs a --volume");
-  require_other_file(options.output, options.preset);
+  require_other_files({{"--output", options.output}, {"--preview", options.preview}},
+                      {options.preset, options.volume});
   require_writable(options.output);
   if (!options.preview.empty()) require_picture_file(options.preview);
   Preset preset = load_preset(options.preset);
@@ -89,8 +90,11 @@ void export_preset(const ExportCommandOptions& options) {
       export_input(preset, volume.get(), rows_of(options.samples),
                    stem_of(options.output, exporter.extension), pixels_of(options.size));
   const Exported exported = exporter.write(input);
+  std::vector<OutputFile> outputs;
   for (const ExportFile& file : exported.files)
-    require_other_file(path_of(options.output, input.stem, file), options.preset);
+    outputs.push_back({"--output", path_of(options.output, input.stem, file)});
+  outputs.push_back({"--preview", options.preview});
+  require_other_files(outputs, {options.preset, options.volume});
   std::optional<ExportPreview> preview;
   if (!options.preview.empty()) preview = draw_preview(options, exporter, input, volume);
   write_export(exported, input.stem, options.output);

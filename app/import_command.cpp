@@ -43,7 +43,7 @@ void import_file(const ImportOptions& options) {
   const TfParts take = parts_of(options.take);
   if (take != TfParts::both && options.onto.empty())
     throw UsageError("--onto", "say of which preset the rest is taken");
-  require_other_file(options.output, options.file);
+  require_other_files({{"--output", options.output}}, {options.file, options.volume});
   require_writable(options.output);
   const std::vector<Imported> all = import_presets(options.file);
   const Imported& chosen = choose(all, options.name, options.file);

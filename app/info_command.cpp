@@ -42,10 +42,8 @@ nlohmann::ordered_json suggestions(const ByValue& by_value) {
 }
 
 void print_info(const InfoOptions& options) {
-  if (!options.by_value.empty()) {
-    require_other_file(options.by_value, options.volume, "--by-value");
-    require_writable(options.by_value);
-  }
+  require_other_files({{"--by-value", options.by_value}}, {options.volume});
+  if (!options.by_value.empty()) require_writable(options.by_value);
   const Volume volume = load_with_progress(options.volume);
   const VolumeStatistics& statistics = volume.statistics;
   nlohmann::ordered_json json;

@@ -44,8 +44,7 @@ Carried carry(const TransferFunction& tf, const MatchOptions& options) {
 }
 
 void match(const MatchOptions& options) {
-  for (const std::string& read : {options.preset, options.from, options.to})
-    require_other_file(options.output, read);
+  require_other_files({{"--output", options.output}}, {options.preset, options.from, options.to});
   require_writable(options.output);  // before the volumes are read
   Preset preset = load_preset(options.preset);
   TransferFunction& tf = preset.transfer_function;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "app/room_to_draw.h"
 #include "presets/error.h"
 
 namespace crest {
@@ -75,6 +76,7 @@ EGLContext make_current_context(EGLDisplay display, bool debug) {
 }  // namespace
 
 OffscreenContext::OffscreenContext(int device, bool debug) {
+  require_room_to_draw();
   const auto devices = find_devices();
   if (device >= int(devices.size()))
     throw Error(fmt::format("--device {}: there are {} graphics devices (crest list devices)", device,

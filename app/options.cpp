@@ -9,6 +9,7 @@
 #include "app/config_file.h"
 #include "app/option_help.h"
 #include "app/unknown_word.h"
+#include "render/volume/query.h"
 
 namespace crest {
 namespace {
@@ -85,9 +86,10 @@ Option& Option::shows_default() {
 }
 Option& Option::in(int least, int greatest) {
   return check([least, greatest](const std::string& text) -> std::string {
-    int number = 0;
-    if (!CLI::detail::lexical_cast(text, number)) return fmt::format("{} is not a whole number", text);
-    return number >= least && number <= greatest
+    const auto number = to_integer(text);  // a leading 0 would make it octal to the parser
+    if (!number || (text.size() > 1 && text.front() == '0'))
+      return fmt::format("'{}' is not a whole number, as in {}", text, std::max(least, 10));
+    return *number >= least && number <= greatest
                ? ""
                : fmt::format("{} is not in [{}, {}]", text, least, greatest);
   });
@@ -132,8 +134,7 @@ void Options::add_example(const std::string& line) { command_->examples.push_bac
 
 // An empty value is a variable of a script that has none, and would be taken for an option that is not there.
 Option Options::add(const std::string& names, std::string& value, const std::string& help) {
-  Option option = add_row(app_->add_option(names, value), *command_, names, help, &value, "TEXT");
-  return names.starts_with('-') ? option.not_empty() : option;
+  return add_row(app_->add_option(names, value), *command_, names, help, &value, "TEXT").not_empty();
 }
 
 Option Options::add(const std::string& names, int& value, const std::string& help) {
@@ -221,6 +222,10 @@ bool CommandLine::read(int argc, char** argv) {
     return false;
   } catch (const CLI::ExtrasError&) {
     fail_on_extra_words(*app_, table_);
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string text = error.what(), name = text.substr(0, text.find(':'));
+    if (text.find("At Most 1") != text.npos) throw UsageError(name, "is given more than once");
+    throw UsageError(text);
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
   }

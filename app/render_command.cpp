@@ -16,7 +16,9 @@
 #include "app/progress.h"
 #include "app/scene_options.h"
 #include "app/sources.h"
+#include "presets/atomic_file.h"
 #include "presets/json.h"
+#include "presets/json_text.h"
 #include "presets/printable.h"
 #include "render/measure/probe_scene.h"
 #include "render/measure/timing.h"
@@ -47,7 +49,7 @@ Image error_bound_picture(const std::vector<float>& bounds, glm::ivec2 size, boo
 
 void print_statistics(nlohmann::ordered_json json, const std::string& renderer) {
   json["renderer"] = renderer;
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", pretty(json));
 }
 
 MeasuredPicture draw_and_write(Renderer& renderer, const Scene& scene, const Camera& camera,
@@ -127,10 +129,13 @@ using SharedVolume = std::shared_ptr<const Volume>;
 SharedVolume read_volume(const RenderOptions& options) {
   options.picture.pixels();
   require_output(options.picture);
+  std::vector<OutputFile> outputs;
   for (int i = 0; i < options.turntable; ++i)
-    require_other_file(numbered(options.picture.output, i, options.turntable), options.scene.volume);
-  if (!options.error_bound.empty())
-    require_other_file(options.error_bound, options.scene.volume, "--error-bound");
+    outputs.push_back({"--output", numbered(options.picture.output, i, options.turntable)});
+  outputs.push_back({"--error-bound", options.error_bound});
+  require_other_files(outputs, {options.scene.volume, options.scene.preset});
+  for (const OutputFile& output : outputs)
+    if (options.turntable > 1 && !output.path.empty()) require_writable(output.path);
   if (!options.error_bound.empty()) require_picture_file(options.error_bound);
   return options.scene.load();
 }
@@ -173,7 +178,9 @@ void render_steps(const RenderOptions& all) {
   const auto output = [&](int step) {
     return count > 1 ? with_number(all.picture.output, step, count - 1).string() : all.picture.output;
   };
-  for (int i = 0; i < count; ++i) require_other_file(output(i), all.scene.volume);
+  std::vector<OutputFile> outputs;
+  for (int i = 0; i < count; ++i) outputs.push_back({"--output", output(i)});
+  require_other_files(outputs, {all.scene.volume, all.scene.preset});
   const Preset said = all.scene.read_preset();
   const ValueRange range = all.scene.in_range_of_steps(volume, said)->statistics.range;
   const double aspect = aspect_of(all.picture.pixels());

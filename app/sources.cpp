@@ -2,12 +2,16 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <map>
+
 #include "app/options.h"
 #include "presets/preset_file.h"
 #include "render/files/time_steps.h"
 #include "render/volume/builtin.h"
 
 namespace crest {
+namespace fs = std::filesystem;
 
 std::string absolute_source(const std::string& source) {
   if (source.empty() || source.starts_with("builtin:")) return source;
@@ -20,15 +24,36 @@ std::vector<std::filesystem::path> files_of(const std::string& source) {
   return found->list.empty() ? std::vector{found->path} : found->list;
 }
 
-void require_other_file(const std::filesystem::path& output, const std::string& read, const char* option) {
+namespace {
+
+bool is_device(const fs::path& path) {
   std::error_code ignored;
-  if (!std::filesystem::exists(output, ignored)) return;
-  const auto folder = std::filesystem::absolute(output, ignored).parent_path();
-  for (const std::filesystem::path& file : files_of(read)) {
-    const bool is_same = std::filesystem::is_directory(file, ignored)
-                             ? std::filesystem::equivalent(file, folder, ignored)  // its images are read
-                             : std::filesystem::equivalent(file, output, ignored);
-    if (is_same) throw UsageError(option, output.string() + " is what is read, which would be lost");
+  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
+}
+
+bool is_read_from(const fs::path& file, const fs::path& output) {
+  std::error_code ignored;
+  if (!fs::exists(output, ignored)) return false;
+  if (!fs::is_directory(file, ignored)) return fs::equivalent(file, output, ignored);
+  return fs::equivalent(file, fs::absolute(output, ignored).parent_path(), ignored);  // its images are read
+}
+
+}  // namespace
+
+void require_other_files(const std::vector<OutputFile>& outputs, const std::vector<std::string>& read) {
+  std::vector<fs::path> sources;
+  for (const std::string& source : read)
+    for (const fs::path& file : files_of(source)) sources.push_back(file);
+  std::map<fs::path, const char*> written;
+  for (const auto& [option, path] : outputs) {
+    if (path.empty() || is_device(path)) continue;
+    if (std::ranges::any_of(sources, [&](const fs::path& file) { return is_read_from(file, path); }))
+      throw UsageError(option, path.string() + " is what is read, which would be lost");
+    std::error_code ignored;
+    const auto [other, is_new] = written.emplace(fs::weakly_canonical(path, ignored), option);
+    if (!is_new)
+      throw UsageError(
+          option, fmt::format("{} is what {} writes, too; say another file", path.string(), other->second));
   }
 }
 

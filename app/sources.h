@@ -14,10 +14,14 @@ std::string absolute_source(const std::string& source);
 /// watched; none where it is built in.
 std::vector<std::filesystem::path> files_of(const std::string& source);
 
-/// Throws UsageError where a command's output is a file of the volume or preset that it reads, which would be
-/// lost.
-void require_other_file(const std::filesystem::path& output, const std::string& read,
-                        const char* option = "--output");
+/// A file that a command writes, and the option that says so.
+struct OutputFile {
+  const char* option;
+  std::filesystem::path path;  ///< empty: the option is not given
+};
+/// Throws UsageError where an output is a file of a volume or a preset that is read, which would be lost, or
+/// where two outputs are one file. Devices and pipes lose nothing.
+void require_other_files(const std::vector<OutputFile>& outputs, const std::vector<std::string>& read);
 
 /// The built-in volumes as sources, and the names of the library's presets: what completions offer.
 std::vector<std::string> builtin_sources();

@@ -11,6 +11,7 @@
 #include "app/stability_files.h"
 #include "presets/error.h"
 #include "presets/json.h"
+#include "presets/json_text.h"
 #include "render/reference/reference.h"
 #include "render/studies/stability/table.h"
 
@@ -66,7 +67,7 @@ void run_stability(const StabilityOptions& options) {
   const Json json = stability_json(rows, context.renderer());
   if (folder) write_stability(rows, json, options.output);
   if (options.json)
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", pretty(json));
   else
     print_table(rows);
   const auto failed = std::ranges::count(rows, Verdict::fail, &Row::verdict);

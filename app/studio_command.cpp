@@ -173,6 +173,8 @@ void open_studio(const StudioOptions& options) {
 }
 
 void require_logs(const StudioOptions& options) {
+  require_other_files({{"--log-frames", options.frame_log}, {"--log-layout", options.layout_file}},
+                      {options.scene.volume, options.scene.preset});
   for (const auto& log : {options.frame_log, options.layout_file})
     if (!log.empty()) require_writable(log);
 }

@@ -3,12 +3,23 @@
 #include <cstdlib>
 
 namespace crest {
+namespace fs = std::filesystem;
+namespace {
+
+/// As the XDG base directory specification has it, a relative one is passed over: it would be another folder
+/// in every working folder.
+fs::path absolute_folder(const char* variable) {
+  const char* const value = std::getenv(variable);
+  const fs::path folder = value ? value : "";
+  return folder.is_absolute() ? folder : fs::path();
+}
+
+}  // namespace
 
 std::filesystem::path user_folder(const char* variable, const char* in_home) {
-  const char* folder = std::getenv(variable);
-  const char* home = std::getenv("HOME");
-  if (folder && *folder) return std::filesystem::path(folder) / "crest";
-  if (home && *home) return std::filesystem::path(home) / in_home / "crest";
+  const fs::path folder = absolute_folder(variable), home = absolute_folder("HOME");
+  if (!folder.empty()) return folder / "crest";
+  if (!home.empty()) return home / in_home / "crest";
   return {};
 }
 

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "app/keyboard_layout.h"
+#include "app/room_to_draw.h"
 #include "presets/error.h"
 #include "ui/style.h"
 
@@ -21,6 +22,7 @@ namespace crest {
 namespace {
 
 GLFWwindow* create_window(const std::string& title, int width, int height, std::optional<double> scale) {
+  require_room_to_draw();
   if (!glfwInit())
     throw Error("no display to open a window on (set DISPLAY, or use crest compare for pictures)");
   int x = 0, y = 0, available_width = width, available_height = height;

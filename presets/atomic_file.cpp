@@ -2,16 +2,19 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "presets/error.h"
@@ -111,6 +114,21 @@ std::optional<struct stat> what_stands_at(const fs::path& path) {
   return existing;
 }
 
+/// Open for writing. A pipe is not waited for: who reads it gets a second to come.
+int open_device(const fs::path& path) {
+  constexpr std::chrono::milliseconds for_a_reader{1000}, between{10};
+  const auto end = std::chrono::steady_clock::now() + for_a_reader;
+  int fd = -1;
+  while ((fd = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) < 0) {
+    if (errno != ENXIO) fail_writing(path, errno);
+    if (std::chrono::steady_clock::now() > end)
+      throw Error(fmt::format("cannot write {}: a pipe that nobody reads", path.string()));
+    std::this_thread::sleep_for(between);
+  }
+  ::fcntl(fd, F_SETFL, 0);
+  return fd;
+}
+
 /// The file that a symbolic link leads to, though it need not exist.
 fs::path link_target(fs::path path) {
   std::error_code error;
@@ -120,6 +138,17 @@ fs::path link_target(fs::path path) {
 }
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
+
+struct FileToRead {
+  explicit FileToRead(const fs::path& path)
+      : fd(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
+  FileToRead(const FileToRead&) = delete;
+  FileToRead& operator=(const FileToRead&) = delete;
+  ~FileToRead() {
+    if (fd >= 0) ::close(fd);
+  }
+  int fd;
+};
 
 /// Takes away what saves left in the folder whose programs were killed: of processes that are no more, and an
 /// hour old, since those of another machine may be in one's folder too.
@@ -149,9 +178,7 @@ void sync_folder(const fs::path& file) {
 void write_whole(const fs::path& path, std::string_view content, bool waits_for_disk) {
   const auto existing = what_stands_at(path);
   if (existing && !S_ISREG(existing->st_mode)) {  // a pipe or device: nothing to replace
-    const int fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (fd < 0) fail_writing(path, errno);
-    File file(fd, path);
+    File file(open_device(path), path);
     file.write(content);
     return file.close();
   }
@@ -190,23 +217,34 @@ std::string read_file(const fs::path& path, std::size_t size_limit) {
   const auto fail = [&](const std::string& what) {
     throw Error(fmt::format("cannot read {}: {}", path.string(), what));
   };
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) fail("it is a folder");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail(errno ? std::strerror(errno) : "it cannot be opened");
+  // Without waiting, or a pipe that nobody writes into would be waited for
+  const FileToRead file(path);
+  if (file.fd < 0) fail(std::strerror(errno));
+  struct stat state {};
+  if (::fstat(file.fd, &state) != 0) fail(std::strerror(errno));
+  if (S_ISDIR(state.st_mode)) fail("it is a folder");
+  const auto too_large = [&] { fail(fmt::format("it is larger than {} bytes", size_limit)); };
+  if (S_ISREG(state.st_mode) && std::uint64_t(state.st_size) > size_limit) too_large();
+  if (S_ISFIFO(state.st_mode)) {
+    constexpr int for_a_writer = 1000;  // ms; who waited for a reader may be about to come
+    pollfd pipe{file.fd, POLLIN, 0};
+    ::poll(&pipe, 1, for_a_writer);
+  }
+  ::fcntl(file.fd, F_SETFL, 0);
 
   std::string content;
   constexpr std::size_t block = 1 << 16;
-  while (file && content.size() <= size_limit) {
+  while (true) {
     const std::size_t before = content.size();
     content.resize(before + block);
-    file.read(content.data() + before, block);
-    content.resize(before + std::size_t(file.gcount()));
+    const ssize_t got = ::read(file.fd, content.data() + before, block);
+    if (got < 0 && errno != EINTR) fail(std::strerror(errno));
+    content.resize(before + std::size_t(std::max<ssize_t>(got, 0)));
+    if (content.size() > size_limit) too_large();
+    if (got != 0) continue;
+    if (content.empty() && S_ISFIFO(state.st_mode)) fail("a pipe that nobody has written into");
+    return content;
   }
-  if (file.bad()) fail("an input error");
-  if (content.size() > size_limit) fail(fmt::format("it is larger than {} bytes", size_limit));
-  return content;
 }
 
 }  // namespace crest

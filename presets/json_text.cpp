@@ -8,6 +8,7 @@
 
 #include "presets/error.h"
 #include "presets/json.h"
+#include "presets/printable.h"
 
 namespace crest {
 namespace {
@@ -84,8 +85,22 @@ class Guard final : public nlohmann::json_sax<Json> {
   std::vector<Level> levels;
 };
 
+/// Controls that JSON need not escape, but a terminal obeys, stand in strings alone.
+std::string escaped(const std::string& json) {
+  std::string out;
+  for (std::string_view rest = json; !rest.empty();) {
+    const Character c = first_character(rest);
+    if (c.bytes > 0 && c.number >= 0x7f && is_control(c.number))
+      out += fmt::format("\\u{:04x}", c.number);
+    else
+      out += rest.substr(0, std::max<std::size_t>(c.bytes, 1));
+    rest.remove_prefix(std::max<std::size_t>(c.bytes, 1));
+  }
+  return out;
+}
+
 std::string scalar_text(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return escaped(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 void print_inline(const Json& json, std::string& out) {
@@ -145,7 +160,9 @@ std::string print_json(const Json& json) {
   return text + "\n";
 }
 
-std::string pretty(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+std::string pretty(const Json& json) {
+  return escaped(json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
 
 std::string summary_of(const Json& json) {
   if (json.is_structured() && json.size() > 4)

@@ -2,18 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <cstdint>
-
 namespace crest {
-namespace {
 
-/// A character of UTF-8 (RFC 3629): its number and its bytes; 0 bytes where there is none.
-struct Character {
-  std::uint32_t number = 0;
-  std::size_t bytes = 0;
-};
-
-Character first_of(std::string_view text) {
+Character first_character(std::string_view text) {
   const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = at(0);
   if (lead < 0x80) return {lead, 1};
@@ -35,14 +26,12 @@ bool is_control(std::uint32_t c) {
          (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
 }
 
-}  // namespace
-
 std::string printable(std::string_view text, std::size_t longest) {
   constexpr std::string_view dots = "...";
   std::string out;
   std::size_t cut = 0;  // as much of it as the dots have room behind
   while (!text.empty()) {
-    const Character c = first_of(text);
+    const Character c = first_character(text);
     const std::string_view bytes = text.substr(0, c.bytes == 0 ? 1 : c.bytes);
     if (bytes == "\n" || bytes == "\t" || bytes == "\r") {
       out += ' ';
@@ -60,7 +49,7 @@ std::string printable(std::string_view text, std::size_t longest) {
 
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
-    const Character c = first_of(text);
+    const Character c = first_character(text);
     if (c.bytes == 0) return false;
     text.remove_prefix(c.bytes);
   }

@@ -67,6 +67,7 @@ void write_cached(const fs::path& file, std::string content, std::uintmax_t limi
   content.append(reinterpret_cast<const char*>(&hash), sizeof hash);
   if (content.size() > limit_bytes) return;
   try {
+    if (fs::exists(file) && !fs::is_regular_file(file)) return;  // a pipe would be written into
     fs::create_directories(file.parent_path());
     make_room(file.parent_path(), file.extension(), limit_bytes, content.size());
     write_file_atomically(file, content);

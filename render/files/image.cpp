@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 
 #include "presets/atomic_file.h"
 #include "presets/error.h"
@@ -54,7 +56,13 @@ std::string png_of(const Image& image, glm::vec3 background) {
   return encode_image("picture.png", image, background);
 }
 
-std::string preset_in_picture(const std::filesystem::path& path) { return read_preset_beside({path}); }
+std::string preset_in_picture(const std::filesystem::path& path) {
+  constexpr std::uintmax_t largest = std::uintmax_t(4) << 30;  // 16,384 x 16,384 points of four floats
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored) && std::filesystem::file_size(path, ignored) > largest)
+    throw Error(fmt::format("{}: larger than any picture that Crest saves", path.string()));
+  return read_preset_beside({path});
+}
 
 Image read_image(const std::filesystem::path& path) { return read_picture_beside({path}); }
 

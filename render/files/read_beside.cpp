@@ -166,6 +166,16 @@ class Reader {
         deadline_, begin_ + request_.reading.patience + std::chrono::seconds(std::int64_t(bytes / slowest)));
   }
 
+  /// One that a signal has stopped may be continued, but is not waited for as long as one that works.
+  void look_whether_it_stopped() {
+    if (!process_.is_stopped())
+      stopped_.reset();
+    else if (!stopped_)
+      stopped_ = Clock::now();
+    else if (Clock::now() - *stopped_ >= request_.reading.patience)
+      fail("it was stopped by a signal");
+  }
+
   /// Waits for some bytes; 0 at the end.
   std::size_t read_some(char* out, std::size_t size) {
     constexpr int stop_is_seen_within = 50;  // ms
@@ -178,6 +188,7 @@ class Reader {
         fail(fmt::format("it took longer than {} s",
                          std::chrono::duration_cast<std::chrono::seconds>(deadline_ - begin_).count()));
       }
+      if (found == 0) look_whether_it_stopped();
       if (found <= 0) continue;
       const ssize_t got = ::read(process_.output(), out, size);
       if (got >= 0) return std::size_t(got);
@@ -216,10 +227,11 @@ class Reader {
   std::string_view library_;
   ReaderProcess process_;
   Clock::time_point begin_ = Clock::now(), deadline_ = begin_ + request_.reading.patience;
-  double read_ = 0;     ///< of the file, as it told
-  int told_ = 0;        ///< how often
-  double seconds_ = 0;  ///< of processor time, which it may take
-  std::string held_;    ///< read, and not yet taken
+  std::optional<Clock::time_point> stopped_;  ///< since when it is
+  double read_ = 0;                           ///< of the file, as it told
+  int told_ = 0;                              ///< how often
+  double seconds_ = 0;                        ///< of processor time, which it may take
+  std::string held_;                          ///< read, and not yet taken
 };
 
 /// `read`, where what does not fit together in an answer is said of the reader.

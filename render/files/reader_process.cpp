@@ -78,6 +78,12 @@ void ReaderProcess::kill() const {
   if (pid_ > 0) ::kill(pid_, SIGKILL);
 }
 
+bool ReaderProcess::is_stopped() const {
+  siginfo_t state{};
+  return pid_ > 0 && ::waitid(P_PID, id_t(pid_), &state, WSTOPPED | WNOHANG | WNOWAIT) == 0 &&
+         state.si_pid == pid_ && state.si_code == CLD_STOPPED;
+}
+
 int ReaderProcess::wait() {
   const pid_t pid = std::exchange(pid_, -1);
   int status = 0;

@@ -23,6 +23,8 @@ class ReaderProcess {
   void kill() const;                      ///< any thread may, until wait() returns
   /// Waits for its end. Its status as of waitpid(2); 0 where it cannot be known.
   int wait();
+  /// Whether a signal has stopped it, so that nothing would come.
+  bool is_stopped() const;
 
  private:
   int output_ = -1;

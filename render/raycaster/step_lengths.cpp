@@ -79,6 +79,7 @@ StepLengths step_lengths(const Rendering& rendering, const Camera& camera, glm::
   }
   lengths.longest *= (1 + slack) * (rendering.adaptive ? most_joined_steps : 1);
   lengths.most = std::ceil(lengths.most * (1 + slack)) + 2;
+  if (std::isnan(lengths.most)) throw Error("camera.eye or camera.target is too far away to be drawn from");
   if (!(lengths.most <= most_segments))
     throw Error(fmt::format(
         "sampling '{}' would take {:.2g} steps a ray {}: a larger s_k, or {}'uniform' sampling, takes fewer",

@@ -88,6 +88,10 @@ TEST_F(FailingReader, ALoopIsEnded) {
     EXPECT_EQ(error_of(what, std::chrono::seconds(1)), "its reader failed (it took longer than 1 s)") << what;
 }
 
+TEST_F(FailingReader, OneThatIsStoppedIsEnded) {
+  EXPECT_EQ(error_of("stop", std::chrono::seconds(1)), "its reader failed (it was stopped by a signal)");
+}
+
 TEST_F(FailingReader, MemoryHasAnEnd) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "AddressSanitizer needs the address space";

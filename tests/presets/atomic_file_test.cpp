@@ -11,6 +11,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <thread>
 
 #include "presets/error.h"
 #include "presets/preset_file.h"
@@ -210,6 +211,35 @@ TEST_F(AtomicFile, SweepsWhatKilledSavesLeft) {
   EXPECT_FALSE(fs::exists(old));
   EXPECT_TRUE(fs::exists(young)) << "it may be another machine's";
   EXPECT_TRUE(fs::exists(ours)) << "its program runs";
+}
+
+TEST_F(AtomicFile, APipeIsReadWhereSomebodyWrites) {
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(error_of([&] { read_file(pipe, 10); }),
+            "cannot read " + pipe.string() + ": a pipe that nobody has written into");
+  std::thread writer([&] { std::ofstream(pipe) << "content"; });  // waits for who reads
+  EXPECT_EQ(read_file(pipe, 10), "content");
+  writer.join();
+}
+
+TEST_F(AtomicFile, APipeIsWrittenWhereSomebodyReads) {
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(error_of([&] { write_file_atomically(pipe, "content"); }),
+            "cannot write " + pipe.string() + ": a pipe that nobody reads");
+  std::string read;
+  std::thread reader([&] { std::ifstream(pipe) >> read; });
+  write_file_atomically(pipe, "content");
+  reader.join();
+  EXPECT_EQ(read, "content");
+}
+
+TEST_F(AtomicFile, ALargeFileIsRefusedUnread) {
+  std::ofstream(path) << "x";
+  fs::resize_file(path, std::uintmax_t(1) << 40);
+  EXPECT_EQ(error_of([&] { read_file(path, 10); }),
+            "cannot read " + path.string() + ": it is larger than 10 bytes");
 }
 
 TEST_F(AtomicFile, TellsBeforeWhatCannotBeWritten) {

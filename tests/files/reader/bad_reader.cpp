@@ -146,6 +146,10 @@ int main(int argc, char** argv) {
     for (volatile bool more = true; more;) continue;
   }
   if (what == "sleep") ::pause();
+  if (what == "stop") {
+    std::cout << R"({"expects":1e9,"seconds":1000})" << std::endl;
+    std::raise(SIGSTOP);
+  }
   if (what == "allocate") allocate();
   if (what == "leave") return 7;
   if (what == "short") std::cout << volume() << voxels.substr(1);
