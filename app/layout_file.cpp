@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "presets/atomic_file.h"
+#include "presets/error.h"
 #include "ui/studio_state.h"
 
 namespace crest {
@@ -15,7 +16,8 @@ void LayoutFile::update(const Studio& studio) {
     text += fmt::format("{}\t{:.0f}\t{:.0f}\n", name, 0.5f * (rect.first.x + rect.second.x),
                         0.5f * (rect.first.y + rect.second.y));
   if (text == last_) return;
-  replace_file(path_, text);
+  if (const std::string error = writer_.take_error(); !error.empty()) throw Error(error);
+  writer_.start([path = path_, text] { replace_file(path, text); });
   last_ = std::move(text);
 }
 
