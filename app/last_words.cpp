@@ -31,8 +31,8 @@ bool is_limited(__rlimit_resource resource) {
 }
 
 /// All that it calls may be called from a signal's handler.
-[[noreturn]] void end_with(std::string_view what) {
-  if (is_told) ::_exit(1);
+void tell(std::string_view what) {
+  if (is_told) return;
   std::array<char, 512> line{};
   std::size_t length = 0;
   const auto add = [&](std::string_view text) {
@@ -45,23 +45,34 @@ bool is_limited(__rlimit_resource resource) {
   if (is_limited(RLIMIT_AS)) add("; maybe for want of memory: ulimit -v allows more");
   add("\n");
   if (::write(STDERR_FILENO, line.data(), length) < 0) ::_exit(1);
-  ::_exit(1);
 }
 
-extern "C" void end_crashed(int signal) {
+std::string_view words_of(int signal) {
   switch (signal) {
     case SIGSEGV:
     case SIGBUS:
-      end_with("it, or a driver or library that it uses, crashed: a wrong memory access");
+      return "it, or a driver or library that it uses, crashed: a wrong memory access";
     case SIGFPE:
-      end_with("it, or a driver or library that it uses, crashed: a wrong division");
+      return "it, or a driver or library that it uses, crashed: a wrong division";
     case SIGILL:
-      end_with("it, or a driver or library that it uses, crashed: an instruction that this processor lacks");
+      return "it, or a driver or library that it uses, crashed: an instruction that this processor lacks";
     case SIGXCPU:
-      end_with("it took more processor time than ulimit -t allows");
+      return "it took more processor time than ulimit -t allows";
     default:
-      end_with("a driver or library that it uses gave up");
+      return "a driver or library that it uses gave up";
   }
+}
+
+extern "C" void end_crashed(int signal) {
+  tell(words_of(signal));
+  if (signal == SIGXCPU || is_limited(RLIMIT_AS)) ::_exit(1);
+  ::raise(
+      signal);  // when this has returned, as if it had not been here: a debugger, or a core dump, tells more
+}
+
+[[noreturn]] void end_with(std::string_view what) {
+  tell(what);
+  ::_exit(1);
 }
 
 /// Of an exception that nobody caught, as in a library's thread.

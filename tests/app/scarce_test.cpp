@@ -31,11 +31,17 @@ TEST_F(Scarce, ACrashIsALine) {
   GTEST_SKIP() << "the sanitizer tells of it";
 #endif
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) {
-    const auto crash = [&] {
+    const auto crash = [&](rlim_t memory) {
+      const rlimit limit{memory, RLIM_INFINITY}, no_core{0, 0};
+      setrlimit(RLIMIT_AS, &limit);
+      setrlimit(RLIMIT_CORE, &no_core);
       end_crashes_with_a_line();
       std::raise(signal);
     };
-    EXPECT_EXIT(crash(), ::testing::ExitedWithCode(1), "^crest: [^\n]*\n$") << signal;
+    const std::string line = "^crest: [^\n]*\n$";
+    EXPECT_EXIT(crash(rlim_t(1) << 46), ::testing::ExitedWithCode(1), line) << signal;
+    if (signal == SIGXCPU) continue;
+    EXPECT_EXIT(crash(RLIM_INFINITY), ::testing::KilledBySignal(signal), line) << signal << ", as without it";
   }
   const auto throw_in_a_thread = [] {
     end_crashes_with_a_line();
