@@ -21,8 +21,6 @@ constexpr double slice_ms = 8;
 /// So many slices of a view may wait for the device: one that it draws, and one to go on with.
 constexpr std::size_t most_queued = 2;
 constexpr int coarsest = 16;
-/// Of a picture whose cost is not known, before any more of it is handed to the device.
-constexpr double probed_share = 1.0 / 64;
 
 glm::ivec2 coarse_size(glm::ivec2 size, int coarseness) { return (size + coarseness - 1) / coarseness; }
 
@@ -49,6 +47,17 @@ std::vector<std::string> warnings_of(const ViewRequest& request) {
 
 }  // namespace
 
+bool ViewRequest::operator==(const ViewRequest& other) const {
+  return scene.volume == other.scene.volume && scene.tf == other.scene.tf &&
+         scene.rendering == other.scene.rendering && camera == other.camera && size == other.size &&
+         error_bound == other.error_bound;
+}
+
+bool ViewRenderer::is_same_but_for_bound(ViewRequest a, const ViewRequest& b) {
+  a.error_bound = b.error_bound;
+  return a == b;
+}
+
 /// Of another kind of picture: a first guess is that an exact one takes five times as long as samples.
 void ViewRenderer::forget_costs(View& view) {
   const double sampled_ms = view.ms_per_pixel[coarse];
@@ -68,14 +77,12 @@ void ViewRenderer::work(const std::array<ViewRequest, picture_count>& requests, 
     const bool was_exact = is_exact(view.wanted.scene.rendering),
                shows = view.shown_version == view.wanted_version;
     const bool is_same_picture = shows && is_same_but_for_bound(requests[i], view.wanted);
-    const bool costs_other = may_cost_other(requests[i], view.wanted);
     view.wanted = requests[i];
     if (is_exact(view.wanted.scene.rendering) != was_exact) forget_costs(view);
     view.warnings = warnings_of(view.wanted);
     view.nothing_visible.clear();
     view.error.clear();
     ++view.wanted_version;
-    if (costs_other) view.other_cost_version = view.wanted_version;
     if (is_same_picture) view.shown_version = view.wanted_version;
     if (is_same_picture && view.shown_stage == full) view.shown_stage = preview;
     view.is_counted = view.is_counted && is_same_picture;
@@ -176,7 +183,6 @@ void ViewRenderer::take_times() {
       const double ms = gl::measured_ms(slice.time);
       double& ms_per_pixel = view.ms_per_pixel[slice.stage];
       ms_per_pixel = std::max(1e-7, 0.5 * ms_per_pixel + 0.5 * ms / slice.pixels);
-      view.timed_version[slice.stage] = std::max(view.timed_version[slice.stage], slice.version);
       view.pass_ms = (slice.is_first ? 0 : view.pass_ms) + ms;
       if (slice.stage == full && slice.is_last) view.frame_ms = view.pass_ms;
     }
@@ -197,7 +203,7 @@ ViewRenderer::View* ViewRenderer::next_view() {
   for (std::size_t i = 1; i <= picture_count; ++i) {
     View& view = views_[(last_view_ + i) % picture_count];
     if (view.wanted.size.x <= 0 || !view.wanted.scene.volume || view.queued.size() >= most_queued) continue;
-    if (view.pass && (view.pass->waits() || (is_probe(view) && !view.queued.empty()))) continue;
+    if (view.pass && view.pass->waits()) continue;
     const int rank = view.shown_version != view.wanted_version ? 0
                      : view.shown_stage == coarse              ? 1
                      : view.shown_stage == preview             ? 2
@@ -249,18 +255,11 @@ void ViewRenderer::begin_pass(View& view, bool interactive) {
   view.pass = std::move(pass);
 }
 
-/// Whether no picture like the one that is being drawn was timed: one slice that takes seconds would hold up
-/// the window, since its frame comes after it. Coarse pictures are small.
-bool ViewRenderer::is_probe(const View& view) {
-  return view.pass->coarseness == 1 && view.timed_version[view.pass->stage] < view.other_cost_version;
-}
-
 void ViewRenderer::draw_slice(View& view, double wanted_ms, bool interactive) {
   Pass& pass = *view.pass;
   const glm::ivec2 size = pass.target->size();
   const double ms_per_pixel = view.ms_per_pixel[pass.stage];
-  const double most_pixels = is_probe(view) ? probed_share * size.x * size.y : double(size.x) * size.y;
-  const Tile next = next_slice(size, pass.next, std::min(wanted_ms / ms_per_pixel, most_pixels));
+  const Tile next = next_slice(size, pass.next, wanted_ms / ms_per_pixel);
   if (!pass.begun) {
     if (auto known = renderer_.begin(pass.scene, pass.request.camera, *pass.target, next)) {
       pass.begun.emplace(Pass::Begun{next, *std::move(known)});
@@ -276,8 +275,8 @@ void ViewRenderer::draw_slice(View& view, double wanted_ms, bool interactive) {
   pass.begun.reset();
   pass.next = after(tile, size);
   const bool is_last = pass.next.y == size.y;
-  view.queued.push_back({std::move(time), ms_per_pixel * pixels, pixels, pass.stage,
-                         tile.begin == glm::ivec2(0), is_last, pass.version});
+  view.queued.push_back(
+      {std::move(time), ms_per_pixel * pixels, pixels, pass.stage, tile.begin == glm::ivec2(0), is_last});
   // Enlarging a coarse picture takes long in a large view: not while the next one is to come
   const bool stays_small = view.shows_small && interactive;
   if (pass.coarseness == 1 && view.shown() && !stays_small) show_slice(view, tile);

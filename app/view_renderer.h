@@ -6,13 +6,21 @@
 #include <memory>
 #include <optional>
 
-#include "app/view_request.h"
 #include "render/gl/display_texture.h"
 #include "render/gl/timer.h"
 #include "render/renderer.h"
 #include "ui/studio.h"
 
 namespace crest {
+
+/// What a view is to show.
+struct ViewRequest {
+  Scene scene;
+  Camera camera;
+  glm::ivec2 size{0};        ///< (0, 0): the view is not visible
+  bool error_bound = false;  ///< of an exact scene: how far each pixel may be off, in place of the picture
+  bool operator==(const ViewRequest& other) const;
+};
 
 /// Draws the views of the studio a slice at a time, so that the window stays live: at first coarse, then in
 /// full; where an exact scene takes long, in between by samples that keep its surfaces. A coarse picture that
@@ -83,7 +91,6 @@ class ViewRenderer {
     double expected_ms = 0, pixels = 0;
     Stage stage = full;
     bool is_first = false, is_last = false;  ///< of its pass
-    std::uint64_t version = 0;               ///< of the request
   };
   /// What a small picture costs, and whether anything is to be seen, in it or in the one in full.
   struct Counting {
@@ -108,9 +115,6 @@ class ViewRenderer {
     std::vector<std::unique_ptr<gl::DisplayTexture>> last;
     const gl::DisplayTexture* shown() const { return shows_small ? small.get() : display.get(); }
     std::array<double, stage_count> ms_per_pixel{1e-3, 1e-3, 1e-3};  ///< guesses; measured from then on
-    /// The first request that may cost quite another time than those before; the last one that was timed.
-    std::uint64_t other_cost_version = 0;
-    std::array<std::uint64_t, stage_count> timed_version{};
     double frame_ms = 0, pass_ms = 0;  ///< of the last picture in full; of what is known of a pass
     PictureNeed need;
     RenderCounts counts;
@@ -121,8 +125,8 @@ class ViewRenderer {
   };
 
   static bool is_done(const View& view);
+  static bool is_same_but_for_bound(ViewRequest a, const ViewRequest& b);
   static void forget_costs(View& view);
-  static bool is_probe(const View& view);
   static void let_go(View& view);
   void take_times();
   double queued_ms() const;

@@ -70,26 +70,6 @@ TEST_F(Views, AreFinishedHoweverSmallTheBudget) {
   expect_all_done();
 }
 
-TEST_F(Views, APictureOfUnknownCostBeginsWithALittleOfIt) {
-  requests[1] = requests[2] = requests[3] = {};
-  finish(1e9, false);
-  constexpr int probe = 16 * 4;  // pixels of 64 x 48; a coarse picture has 12, 48, 192 or 768
-  int probes = 0;
-  const testing::Watched<epoxy_glScissor, decltype(epoxy_glScissor)> slices(
-      [&](GLint, GLint, GLsizei width, GLsizei height) { probes += width * height == probe ? 1 : 0; });
-  const auto probes_after = [&](const std::function<void(ViewRequest&)>& change) {
-    change(requests[0]);
-    probes = 0;
-    EXPECT_GT(finish(1e9, false), 0);
-    return probes;
-  };
-  const auto turn = [](ViewRequest& request) { request.camera.fov_y_degrees += 1; };
-  EXPECT_EQ(probes_after(turn), 0);
-  EXPECT_GT(probes_after([](ViewRequest& request) { request.scene.rendering.root_filter = Filter::bspline; }),
-            0);
-  EXPECT_EQ(probes_after(turn), 0) << "now it is known";
-}
-
 TEST_F(Views, NothingOfAVolumeIsHeldOnceNoneIsShown) {
   const std::weak_ptr<const Volume> volume = requests[0].scene.volume;
   views.keep_colors(true);
