@@ -4,10 +4,38 @@
 
 namespace crest {
 
+namespace {
+
+/// Why it failed; empty where it did not.
+std::string written(const BackgroundWriter::Write& write) {
+  try {
+    write();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+bool BackgroundWriter::has_thread() {
+  if (thread_.joinable()) return true;
+  try {
+    thread_ = std::jthread([this](const std::stop_token& quit) { loop(quit); });
+  } catch (const std::exception&) {
+    return false;
+  }
+  return true;
+}
+
 void BackgroundWriter::start(Write write) {
+  const bool in_thread = has_thread();
+  std::string error = in_thread ? "" : written(write);
   const std::scoped_lock lock(mutex_);
-  next_ = std::move(write);
-  if (!thread_.joinable()) thread_ = std::jthread([this](const std::stop_token& quit) { loop(quit); });
+  if (in_thread)
+    next_ = std::move(write);
+  else
+    error_ = std::move(error);
   wake_.notify_all();
 }
 
@@ -32,12 +60,7 @@ void BackgroundWriter::loop(const std::stop_token& quit) {
     const Write write = *std::exchange(next_, std::nullopt);
     is_writing_ = true;
     lock.unlock();
-    std::string error;
-    try {
-      write();
-    } catch (const std::exception& failure) {
-      error = failure.what();
-    }
+    std::string error = written(write);
     lock.lock();
     error_ = std::move(error);
     is_writing_ = false;

@@ -22,7 +22,7 @@ class BackgroundWriter {
   BackgroundWriter(const BackgroundWriter&) = delete;
   BackgroundWriter& operator=(const BackgroundWriter&) = delete;
 
-  /// In place of one that has not begun.
+  /// In place of one that has not begun. Where no thread is to be had, it is written at once.
   void start(Write write);
   /// Waits until it is written.
   void finish();
@@ -32,6 +32,7 @@ class BackgroundWriter {
 
  private:
   void loop(const std::stop_token& quit);
+  bool has_thread();
 
   mutable std::mutex mutex_;
   std::condition_variable_any wake_;

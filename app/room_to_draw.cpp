@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
-#include <future>
+#include <latch>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -34,14 +35,17 @@ void require_address_space(std::size_t threads) {
 }
 
 void require_threads(std::size_t count) {
-  std::promise<void> end;
-  const std::shared_future<void> ended = end.get_future().share();
+  std::latch end(1);
   std::vector<std::jthread> threads;  // all at once: that is what counts
   try {
-    while (threads.size() < count) threads.emplace_back([ended] { ended.wait(); });
-    end.set_value();
+    threads.reserve(count);
+    while (threads.size() < count) threads.emplace_back([&end] { end.wait(); });
+    end.count_down();
+  } catch (const std::bad_alloc&) {
+    end.count_down();
+    throw;
   } catch (const std::system_error& error) {
-    end.set_value();
+    end.count_down();
     throw Error(fmt::format("drawing takes {} threads, and the system gives {} (ulimit -u allows more): {}",
                             count, threads.size(), error.code().message()));
   }
