@@ -31,7 +31,7 @@ bool is_limited(__rlimit_resource resource) {
 }
 
 /// All that it calls may be called from a signal's handler.
-void tell(std::string_view what) {
+void tell(std::string_view what, bool may_lack_memory = false) {
   if (is_told) return;
   std::array<char, 512> line{};
   std::size_t length = 0;
@@ -42,7 +42,7 @@ void tell(std::string_view what) {
   };
   add("crest: ");
   add(what);
-  if (is_limited(RLIMIT_AS)) add("; maybe for want of memory: ulimit -v allows more");
+  if (may_lack_memory && is_limited(RLIMIT_AS)) add("; maybe for want of memory: ulimit -v allows more");
   add("\n");
   if (::write(STDERR_FILENO, line.data(), length) < 0) ::_exit(1);
 }
@@ -64,7 +64,7 @@ std::string_view words_of(int signal) {
 }
 
 extern "C" void end_crashed(int signal) {
-  tell(words_of(signal));
+  tell(words_of(signal), signal == SIGSEGV || signal == SIGBUS || signal == SIGABRT);
   if (signal == SIGXCPU || is_limited(RLIMIT_AS)) ::_exit(1);
   ::raise(
       signal);  // when this has returned, as if it had not been here: a debugger, or a core dump, tells more

@@ -163,7 +163,7 @@ void Studio::close_volume() {
   sweep_.leave();
   choice_.stop();
   document_.volume_source.clear();
-  views_.renderer().clear();
+  views_.close();
   say("");
 }
 

@@ -92,14 +92,13 @@ void ViewRenderer::work(const std::array<ViewRequest, picture_count>& requests, 
                       view.pass->request.scene.volume == view.wanted.scene.volume;
     if (!keep) view.pass.reset();
   }
-  const bool shows_any = std::ranges::any_of(
-      requests, [](const ViewRequest& request) { return request.scene.volume != nullptr; });
   for (View& view : views_) {
     view.last.clear();
-    if (!shows_any) let_go(view);
+    if (is_closed_) let_go(view);
     if (keeps_colors_ && is_done(view) && !view.full && view.error.empty()) view.shown_stage = preview;
     if (!keeps_colors_ && view.is_counted) view.full.reset();
   }
+  is_closed_ = false;
   const auto begin = std::chrono::steady_clock::now();
   const auto spent_ms = [&] {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
@@ -132,6 +131,11 @@ void ViewRenderer::let_go(View& view) {
   for (auto* display : {&view.small, &view.display})
     if (*display) empty.last.push_back(std::move(*display));
   view = std::move(empty);
+}
+
+void ViewRenderer::close() {
+  is_closed_ = true;
+  renderer_.clear();
 }
 
 std::string ViewRenderer::error() const {

@@ -26,8 +26,7 @@ struct ViewRequest {
 /// full; where an exact scene takes long, in between by samples that keep its surfaces. A coarse picture that
 /// was begun is finished, so that a view keeps up with a drag; a finer one is dropped when the request
 /// changes. Nothing is drawn again that did not change. Slices are handed to the device without waiting for
-/// them; their times are read later, and only a few are ahead of it. Where no view is to show a volume, all
-/// pictures go.
+/// them; their times are read later, and only a few are ahead of it.
 class ViewRenderer {
  public:
   /// As Renderer.
@@ -62,6 +61,9 @@ class ViewRenderer {
   std::array<std::uint64_t, picture_count> shown_versions() const;
 
   Renderer& renderer() { return renderer_; }
+  /// The volume is not to be shown any more: what is held for it goes, and the pictures once the frame that
+  /// is being drawn does not name them.
+  void close();
   /// Draws everything again (after the shaders changed).
   void invalidate();
 
@@ -149,7 +151,7 @@ class ViewRenderer {
   gl::Presenter presenter_;
   std::array<View, picture_count> views_;
   std::size_t last_view_ = 0;
-  bool keeps_colors_ = false;
+  bool keeps_colors_ = false, is_closed_ = false;
 };
 
 }  // namespace crest

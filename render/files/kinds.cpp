@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An element of group 2 or 8 at its very start, and another of that group behind it, as files have that were
-/// written without a head.
+/// An element of group 2 or 8 at its very start, and a later one of that group behind it, as files have that
+/// were written without a head.
 bool begins_with_elements(std::string_view head) {
   constexpr std::string_view types = "CS DA LO SH TM UI UL";
   constexpr unsigned char highest_member = 0x18, longest = 64;
@@ -23,7 +23,9 @@ bool begins_with_elements(std::string_view head) {
   const bool has_type = types.find(head.substr(4, 2)) != std::string_view::npos;
   if (has_type ? byte(7) != 0 : byte(5) != 0 || byte(6) != 0 || byte(7) != 0) return false;
   const unsigned char length = byte(has_type ? 6 : 4);
-  return length <= longest && byte(8u + length) == byte(0) && byte(9u + length) == 0;
+  if (length > longest) return false;
+  const std::size_t next = 8u + length;
+  return byte(next) == byte(0) && byte(next + 1) == 0 && (byte(next + 2) > byte(2) || byte(next + 3) > 0);
 }
 
 }  // namespace

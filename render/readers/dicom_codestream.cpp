@@ -62,7 +62,9 @@ Codestream read_jpeg_2000(Numbers numbers) {
   stream.columns = right - left;
   stream.rows = bottom - top;
   stream.samples = unsigned(numbers.take(2));
-  stream.bits = unsigned(numbers.take(1) & 0x7f) + 1;
+  const auto depth = unsigned(numbers.take(1));
+  stream.bits = (depth & 0x7f) + 1;
+  stream.is_signed = (depth & 0x80) != 0;
   return stream;
 }
 

@@ -11,6 +11,7 @@ struct Codestream {
   enum class Kind { jpeg, jpeg_ls, jpeg_2000 };
   Kind kind;
   unsigned bits = 0, samples = 0;
+  bool is_signed = false;               ///< JPEG 2000 alone says it
   std::uint64_t columns = 0, rows = 0;  ///< rows: 0 where it says them later
 };
 

@@ -46,8 +46,14 @@ void take_world(const gdcm::DataSet& set, DicomImage& image) {
   }
 }
 
+/// A frame's own in place of the file's.
 void add_mark(const char* name, const std::string& value, DicomImage& image) {
-  if (!value.empty()) image.marks.push_back({name, value});
+  if (value.empty()) return;
+  const auto known = std::ranges::find(image.marks, name, &DicomMark::name);
+  if (known == image.marks.end())
+    image.marks.push_back({name, value});
+  else
+    known->value = value;
 }
 
 std::string text_of(std::optional<double> number) { return number ? fmt::format("{:.10g}", *number) : ""; }

@@ -89,6 +89,7 @@ class CodedPixels : public DicomPixels {
     }
     with_gdcm(name_, [&] { return reader_.Read(); });
     if (stream && stream->kind != Codestream::Kind::jpeg_2000) take_bits(*stream);
+    if (stream && stream->is_signed) take_sign();
     const gdcm::PixelFormat& format = all().GetPixelFormat();
     const auto type = type_of(format);
     if (!type) {
@@ -112,6 +113,13 @@ class CodedPixels : public DicomPixels {
     const auto stored = std::uint16_t(std::min<std::uint64_t>(image_.bits_stored, bits));
     reader_.GetImage().SetPixelFormat(gdcm::PixelFormat(std::uint16_t(image_.samples), bits, stored,
                                                         std::uint16_t(stored - 1), image_.is_signed ? 1 : 0));
+  }
+
+  /// What is coded as signed is so, also where the header does not say it.
+  void take_sign() {
+    gdcm::PixelFormat format = all().GetPixelFormat();
+    format.SetPixelRepresentation(1);
+    reader_.GetImage().SetPixelFormat(format);
   }
 
   gdcm::Image one(std::size_t number) const {
@@ -152,8 +160,7 @@ class CodedPixels : public DicomPixels {
     if (has_size && has_bits) return stream;
     throw Error(
         fmt::format("{}: the DICOM file is damaged: its header says {}x{} pixels of {} x {} bits, and the "
-                    "compressed ones "
-                    "are {}x{} of {} x {}",
+                    "compressed ones are {}x{} of {} x {}",
                     name_, image_.columns, image_.rows, image_.samples, image_.bits, stream->columns,
                     stream->rows, stream->samples, stream->bits));
   }

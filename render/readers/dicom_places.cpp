@@ -75,8 +75,8 @@ void place_dicom_frames(std::vector<DicomImage>& images) {
     const double number = image.slice_number.value_or(double(image.frame + 1));
     if (known)
       image.position = *first.position + (number - 1) * distance * normal_of(first);
-    else if (image.frame > 0)
-      image.position.reset();
+    else if (image.frame > 0 || image.slice_number)
+      image.position.reset();  // their numbers alone tell the order
   }
 }
 

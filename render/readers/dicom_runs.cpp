@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "presets/error.h"
+#include "render/readers/binary_fields.h"
 #include "render/readers/dicom_pixels.h"
 #include "render/readers/open_file.h"
 
@@ -13,10 +14,9 @@ namespace {
 
 constexpr std::size_t most_segments = 15, header_bytes = 4 * (1 + most_segments);
 
+/// The length of the table is known to be there.
 std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 4; i-- > 0;) value = value << 8 | std::to_integer<std::uint32_t>(bytes[at + i]);
-  return value;
+  return BinaryFields{{reinterpret_cast<const char*>(bytes.data()), bytes.size()}}.at<std::uint32_t>(at);
 }
 
 /// What may follow the last run: an even length is kept by zeros, or by runs of nothing.

@@ -164,12 +164,23 @@ void take_parts(const Parts& parts, DicomStack& stack) {
   }
 }
 
+/// The least between places, over all segments: what a file says as its slices' distance may be another. 0 of
+/// one place.
+double least_distance(const Images& sorted) {
+  double least = 0;
+  const std::vector<std::size_t> begins = places_of(sorted);
+  for (std::size_t p = 1; p < begins.size(); ++p) {
+    const double distance = height(sorted[begins[p]]) - height(sorted[begins[p - 1]]);
+    least = least > 0 ? std::min(least, distance) : distance;
+  }
+  return least;
+}
+
 /// Slices that show nothing of a segment may be left out of the file. Those between others are put in, where
 /// all that are there lie at multiples of the slices' distance.
-Images with_empty_slices(const Images& slices, std::string& note) {
+Images with_empty_slices(const Images& slices, double distance, std::string& note) {
   constexpr double tolerance = 0.01;
   constexpr std::size_t most = std::size_t(1) << 16;
-  const double distance = std::abs(slices[0].slice_distance.value_or(0));
   if (!(distance > 0)) return slices;
   Images all = {slices[0]};
   for (std::size_t i = 1; i < slices.size(); ++i) {
@@ -191,9 +202,10 @@ bool take_segments(const Images& sorted, DicomStack& stack) {
   if (mark_of(sorted.front(), "segment").empty()) return false;
   Parts parts = parted_by(sorted, {"segment"});
   if (!places_are_unique(parts)) return false;
+  const double distance = least_distance(sorted);
   for (auto& [key, part] : parts) {
     std::string note;
-    part = with_empty_slices(part, note);
+    part = with_empty_slices(part, distance, note);
     stack.frame_notes.push_back(note);
   }
   take_parts(parts, stack);

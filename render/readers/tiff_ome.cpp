@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <pugixml.hpp>
+#include <set>
 
 #include "presets/error.h"
 #include "render/files/header_text.h"
@@ -39,31 +41,80 @@ std::size_t number_of(const OmeSizes& sizes, std::size_t c, std::size_t z, std::
   return number;
 }
 
-/// ", others of which are in t1.ome.tif", where the description names another file.
-std::string other_file_text(const std::string& name, pugi::xml_node pixels) {
-  for (const pugi::xml_node block : pixels.children("TiffData")) {
-    const std::string file = block.child("UUID").attribute("FileName").as_string();
-    if (!file.empty() && !name.ends_with(file))
-      return fmt::format(": others are in {}, and one file that holds all is read", one_line(file));
+/// The blocks of planes that are in this file. A file says of each block's what it is called, and its own
+/// number; it may have got another name since.
+class OwnBlocks {
+ public:
+  OwnBlocks(const std::string& path, pugi::xml_node ome)
+      : name_(std::filesystem::path(path).filename().string()), number_(ome.attribute("UUID").as_string()) {
+    bool has_number = false, has_name = false;
+    std::set<std::string> names;
+    for (const pugi::xml_node image : ome.children("Image"))
+      for (const pugi::xml_node block : image.child("Pixels").children("TiffData")) {
+        has_number = has_number || is_number(block);
+        has_name = has_name || file_of(block) == name_;
+        names.insert(file_of(block));
+      }
+    by_ = has_number ? By::number : has_name ? By::name : names.size() > 1 ? By::none : By::all;
   }
-  return "";
-}
 
-/// Where each plane's page is; the planes of other files are none of this one's.
-void take_tiff_data(const std::string& name, pugi::xml_node pixels, const OmeSizes& sizes, std::size_t pages,
-                    PlaneOrder& order) {
+  bool has(pugi::xml_node block) const {
+    switch (by_) {
+      case By::number:
+        return is_number(block);
+      case By::name:
+        return file_of(block) == name_;
+      case By::none:
+        return file_of(block).empty();
+      case By::all:
+        break;
+    }
+    return true;
+  }
+  bool has_any(pugi::xml_node pixels) const {
+    const auto blocks = pixels.children("TiffData");
+    return std::ranges::any_of(blocks, [&](pugi::xml_node block) { return has(block); });
+  }
+  /// ": others are in b.ome.tif, ...", where there are such planes.
+  std::string others_text(pugi::xml_node pixels) const {
+    for (const pugi::xml_node block : pixels.children("TiffData"))
+      if (!has(block))
+        return fmt::format(": others are in {}, and one file that holds all is read",
+                           one_line(file_of(block)));
+    return "";
+  }
+
+ private:
+  enum class By { number, name, none, all };
+  static std::string file_of(pugi::xml_node block) {
+    return block.child("UUID").attribute("FileName").as_string();
+  }
+  bool is_number(pugi::xml_node block) const {
+    return !number_.empty() && number_ == block.child("UUID").text().as_string();
+  }
+
+  std::string name_, number_;
+  By by_ = By::all;
+};
+
+/// Where each plane's page is.
+void take_tiff_data(const std::string& name, pugi::xml_node pixels, const OwnBlocks& own,
+                    const OmeSizes& sizes, std::size_t pages, PlaneOrder& order) {
   const std::size_t planes = order.pages.size();
   std::vector<bool> found(planes, false);
   const auto put = [&](std::size_t plane, std::size_t page) {
     if (plane >= planes || page >= pages)
       throw Error(fmt::format("{}: its OME description tells of {} planes, and the file has {} pages{}", name,
-                              planes, pages, other_file_text(name, pixels)));
+                              planes, pages, own.others_text(pixels)));
+    if (found[plane])
+      throw Error(fmt::format("{}: its OME description tells twice where plane {} is", name, plane));
     const auto [c, z, t] = plane_at(sizes, plane);
     order.pages[place_in(order, c, z, t)] = page;
     found[plane] = true;
   };
   const auto blocks = pixels.children("TiffData");
   for (const pugi::xml_node block : blocks) {
+    if (!own.has(block)) continue;
     const pugi::xml_attribute ifd = block.attribute("IFD");
     const std::size_t first =
         number_of(sizes, block.attribute("FirstC").as_uint(), block.attribute("FirstZ").as_uint(),
@@ -77,7 +128,7 @@ void take_tiff_data(const std::string& name, pugi::xml_node pixels, const OmeSiz
   if (std::ranges::find(found, false) != found.end())
     throw Error(
         fmt::format("{}: its OME description tells of {} planes, some of which are in no page of this file{}",
-                    name, planes, other_file_text(name, pixels)));
+                    name, planes, own.others_text(pixels)));
 }
 
 /// How many micrometres a unit of OME's is; nothing for "pixel" and "reference frame", which are no lengths,
@@ -112,6 +163,22 @@ unsigned samples_of(pugi::xml_node pixels) {
   return std::max(1u, pixels.child("Channel").attribute("SamplesPerPixel").as_uint(1));
 }
 
+pugi::xml_node pixels_of(const pugi::xml_document& document, std::size_t image) {
+  const auto images = document.child("OME").children("Image");
+  const auto found = std::ranges::next(images.begin(), std::ptrdiff_t(image), images.end());
+  return found == images.end() ? pugi::xml_node() : found->child("Pixels");
+}
+
+/// The number of the first image that has planes in this file; of the first one where none says so.
+std::size_t own_image(const OwnBlocks& own, const pugi::xml_document& document) {
+  std::size_t number = 0;
+  for (const pugi::xml_node image : document.child("OME").children("Image")) {
+    if (own.has_any(image.child("Pixels"))) return number;
+    ++number;
+  }
+  return 0;
+}
+
 }  // namespace
 
 bool is_ome(const std::string& text) { return text.find("<OME") != std::string::npos; }
@@ -127,7 +194,9 @@ PlaneOrder order_ome(const std::string& name, const TiffDescription& description
                          one_line(elsewhere.attribute("MetadataFile").as_string("another file"))));
     return order;
   }
-  const pugi::xml_node pixels = document.first_element_by_path("OME/Image/Pixels");
+  const OwnBlocks own(name, document.child("OME"));
+  const std::size_t chosen = own_image(own, document);
+  const pugi::xml_node pixels = pixels_of(document, chosen);
   if (!pixels) throw Error(fmt::format("{}: its OME description has no pixels", name));
   OmeSizes sizes;
   for (const char letter : std::string_view(pixels.attribute("DimensionOrder").as_string("XYZCT")))
@@ -145,13 +214,14 @@ PlaneOrder order_ome(const std::string& name, const TiffDescription& description
   const std::size_t planes = order.components * order.slices * order.frames;
   if (planes > pages)
     throw Error(fmt::format("{}: its OME description tells of {} planes, and the file has {} pages{}", name,
-                            planes, pages, other_file_text(name, pixels)));
+                            planes, pages, own.others_text(pixels)));
   order.pages.resize(planes);
-  take_tiff_data(name, pixels, sizes, pages, order);
+  take_tiff_data(name, pixels, own, sizes, pages, order);
   take_ome_spacing(pixels, order);
-  if (const auto images = document.child("OME").children("Image"); std::next(images.begin()) != images.end())
-    add_note(order.note,
-             fmt::format("the first of its {} images", std::distance(images.begin(), images.end())));
+  const auto images = document.child("OME").children("Image");
+  if (const auto count = std::distance(images.begin(), images.end()); count > 1)
+    add_note(order.note, chosen == 0 ? fmt::format("the first of its {} images", count)
+                                     : fmt::format("image {} of its {}", chosen + 1, count));
   take_only_axis_as_slices(order);
   return order;
 }

@@ -66,6 +66,38 @@ TEST_F(DicomPlaces, TimesOfNuclearSlicesAreTakenApart) {
   EXPECT_TRUE(placed.is_in_patient);
 }
 
+// A place of the first frame alone does not make slices of time slots.
+TEST_F(DicomPlaces, TimesAreTakenApartAlsoWhereOneThingIsMissing) {
+  const std::string place = dicom_element(0x20, 0x32, "DS", "1\\2\\3"),
+                    turn = dicom_element(0x20, 0x37, "DS", upright);
+  for (const std::string& detector : {place + turn, place, turn})
+    for (const bool has_distance : {false, true}) {
+      if (detector == place + turn && has_distance) continue;
+      Elements elements = image(6);
+      elements.put(0x54, 0x80, "US", shorts({3, 1, 2, 3, 1, 2}));
+      elements.put(0x54, 0x70, "US", shorts({1, 1, 1, 2, 2, 2})).put_items(0x54, 0x22, {detector});
+      if (has_distance) elements.put(0x18, 0x88, "DS", "4");
+      const std::string name = file("a.dcm", elements);
+      expect_error(name, {"2 frames (time slot 1, time slot 2)"});
+      EXPECT_EQ(frames_in(load_volume(name + "?frame=1")), std::vector({4, 5, 3}));
+    }
+}
+
+TEST_F(DicomPlaces, AFramesOwnMarkCountsNotTheFiles) {
+  std::vector<std::string> groups;
+  for (const auto& [z, type] : {std::pair(0, "M"), {0, "P"}, {4, "M"}, {4, "P"}}) {
+    Elements group;
+    group.put_items(0x18, 0x9226, {dicom_element(8, 0x9007, "CS", type)});
+    group.put_items(0x20, 0x9113, {dicom_element(0x20, 0x32, "DS", fmt::format("0\\0\\{}", z))});
+    groups.push_back(group.bytes());
+  }
+  Elements elements = image(4);
+  elements.put(8, 8, "CS", "MIXED").put_items(0x5200, 0x9230, groups);
+  const std::string name = file("a.dcm", elements.put(0x20, 0x37, "DS", upright));
+  expect_error(name, {"2 frames (image type M, image type P)"});
+  EXPECT_EQ(frames_in(load_volume(name + "?frame=1")), std::vector({1, 3}));
+}
+
 TEST_F(DicomPlaces, FramesOfAStackMayTellTheirNumbersAlone) {
   std::vector<std::string> groups;
   for (const int number : {2, 3, 1}) {
@@ -78,7 +110,7 @@ TEST_F(DicomPlaces, FramesOfAStackMayTellTheirNumbersAlone) {
 }
 
 TEST_F(DicomPlaces, SlicesThatASegmentationLeavesOutAreEmpty) {
-  const auto segmentation = [&](const std::vector<double>& heights) {
+  const auto segmentation = [&](const std::vector<double>& heights, const std::string& distance = "2") {
     std::vector<std::string> groups;
     for (const double z : heights) {
       Elements group;
@@ -87,7 +119,7 @@ TEST_F(DicomPlaces, SlicesThatASegmentationLeavesOutAreEmpty) {
       groups.push_back(group.bytes());
     }
     const std::string measures =
-        dicom_element(0x18, 0x88, "DS", "2") + dicom_element(0x28, 0x30, "DS", "2\\1");
+        dicom_element(0x18, 0x88, "DS", distance) + dicom_element(0x28, 0x30, "DS", "2\\1");
     Elements shared;
     shared.put_items(0x20, 0x9116, {dicom_element(0x20, 0x37, "DS", upright)});
     Elements elements = image(int(heights.size()));
@@ -105,6 +137,10 @@ TEST_F(DicomPlaces, SlicesThatASegmentationLeavesOutAreEmpty) {
   EXPECT_EQ(uneven.grid.dims.z, 3);
   expect_note(uneven, "not evenly spaced");
   EXPECT_EQ(segmentation({0, 1e9}).grid.dims.z, 2);  // and no end of them
+  const Volume close =
+      segmentation({0, 2, 4, 6}, "1");  // none is left out: the file is wrong about the distance
+  EXPECT_EQ(close.grid.dims.z, 4);
+  EXPECT_EQ(close.grid.spacing.z, 2);
 }
 
 TEST_F(DicomPlaces, OrientationsAreOfLengthOne) {
@@ -168,6 +204,15 @@ TEST_F(DicomPlaces, AMapToTheWorldIsSaidUnlessItIsTheRescale) {
 TEST_F(DicomPlaces, AFileNeedsNoExtension) {
   EXPECT_EQ(load_volume(file("IM_0001", image(3))).grid.dims.z, 3);
   EXPECT_EQ(load_volume(file("1.2.840.1", image(3))).grid.dims.z, 3);
+}
+
+TEST_F(DicomPlaces, NumbersThatBeginLikeAnElementAreNoDicom) {
+  std::filesystem::create_directory(path("stack"));
+  std::string labels;
+  for (int i = 0; i < 100; ++i) append_value(labels, 8, uint32, std::endian::little);
+  write("stack/labels", labels);
+  for (const char* name : {"stack/1.pgm", "stack/2.pgm"}) write(name, "P5 2 2 255\nabcd");
+  EXPECT_EQ(load_volume(path("stack")).grid.dims, glm::ivec3(2, 2, 2));
 }
 
 }  // namespace

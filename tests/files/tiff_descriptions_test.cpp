@@ -160,6 +160,40 @@ TEST_F(TiffDescriptions, OmesOtherFilesAreNamed) {
   EXPECT_NE(bare.note.find("a.companion.ome, which is not read"), std::string::npos) << bare.note;
 }
 
+// A set of files has one description, which is in each: of two images, a file each, or of parts of one.
+TEST_F(TiffDescriptions, PlanesOfOmesOtherFilesAreNotOfThisOne) {
+  const auto block = [](const char* name, int t, int z) {
+    return fmt::format(
+        "<TiffData FirstT=\"{}\" FirstZ=\"{}\" IFD=\"{}\"><UUID FileName=\"{}\">urn:uuid:{}</UUID>"
+        "</TiffData>",
+        t, z, z, name, name);
+  };
+  const auto image = [&](const char* name) {
+    return fmt::format(
+        "<Image><Pixels SizeZ=\"3\" PhysicalSizeX=\"{0}\" PhysicalSizeY=\"{0}\">{1}{2}{3}</Pixels>"
+        "</Image>",
+        name[0] == 'a' ? 1 : 2, block(name, 0, 0), block(name, 0, 1), block(name, 0, 2));
+  };
+  const std::string both = fmt::format("<OME>{}{}</OME>", image("a.ome.tif"), image("b.ome.tif"));
+  const Volume second = load_volume(file("b.ome.tif", both, pages(3)));
+  EXPECT_EQ(second.grid.spacing.x, 2);
+  EXPECT_NE(second.note.find("image 2 of its 2"), std::string::npos) << second.note;
+  const std::string numbered = "<OME UUID=\"urn:uuid:b.ome.tif\">" + both.substr(5);
+  EXPECT_EQ(load_volume(file("renamed.ome.tif", numbered, pages(3))).grid.spacing.x, 2);
+  expect_error(file("renamed.ome.tif", both, pages(3)), {"in no page", "others are in a.ome.tif"});
+  const std::string alone = fmt::format("<OME>{}</OME>", image("a.ome.tif"));
+  EXPECT_EQ(load_volume(file("renamed.ome.tif", alone, pages(3))).grid.dims.z, 3);
+
+  const std::string parts = fmt::format(
+      "<OME><Image><Pixels SizeZ=\"2\" SizeT=\"2\">{}{}{}{}</Pixels></Image></OME>", block("a.ome.tif", 0, 0),
+      block("a.ome.tif", 0, 1), block("b.ome.tif", 1, 0), block("b.ome.tif", 1, 1));
+  expect_error(file("b.ome.tif", parts, pages(4)),
+               {"some of which are in no page", "others are in a.ome.tif"});
+  const std::string twice =
+      fmt::format("<OME><Image><Pixels SizeZ=\"3\">{0}{0}</Pixels></Image></OME>", block("a.ome.tif", 0, 0));
+  expect_error(file("a.ome.tif", twice, pages(3)), {"twice where plane 0 is"});
+}
+
 TEST_F(TiffDescriptions, TifffilesAxesBeforeZAreFrames) {
   const std::string four = file("a.tif", "{\"shape\": [2, 3, 3, 4]}", pages(6));
   expect_error(four, {"2 frames"});
